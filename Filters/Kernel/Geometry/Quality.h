@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every measure of shape and validity, defined once.
+#pragma once
+
+#include "../Base/Types.h"
+
+namespace lamina
+{
+
+/// 2 r/R of a triangle: 1 equilateral, 0 degenerate.
+double TriangleQuality(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Signed volume; positive if d lies on the side the normal of (a, b, c) points to (VTK's order).
+double TetVolume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// 3 r/R: 1 regular, 0 degenerate; negative for an inverted tet.
+double TetQuality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// Least and largest dihedral angle, degrees.
+std::array<double, 2> TetDihedralAngles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The nine Bernstein coefficients of the Jacobian of the isoparametric wedge in VTK's order (base normal outwards),
+/// signed so that a valid wedge has positive ones: value [k][i], k degree along the height, i side edge.
+std::array<std::array<double, 3>, 3> WedgeJacobian(const std::array<Vec3, 6>& nodes);
+/// Exact for the isoparametric cell: the Jacobian is positive everywhere, corners and edges included.
+bool WedgeIsValid(const std::array<Vec3, 6>& nodes);
+/// Volume of the isoparametric wedge.
+double WedgeVolume(const std::array<Vec3, 6>& nodes);
+/// The smaller of (triangle quality times edge orthogonality) and the scaled Jacobian normalised to 1 for a right
+/// equilateral prism; not positive for an invalid one.
+double WedgeQuality(const std::array<Vec3, 6>& nodes);
+
+/// The Jacobian of the isoparametric pyramid is positive everywhere but at the apex.
+bool PyramidIsValid(const std::array<Vec3, 5>& nodes);
+/// Volume of the isoparametric pyramid (bilinear base).
+double PyramidVolume(const std::array<Vec3, 5>& nodes);
+/// 3 r/R of the worst tet of its better split by a diagonal of the base; not positive for an invalid one.
+double PyramidQuality(const std::array<Vec3, 5>& nodes);
+
+} // namespace lamina

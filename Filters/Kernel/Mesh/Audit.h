@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The audit of a volume mesh: conformity, orientation, overlap, volumes, quality. Also used by the tests.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "../Base/Result.h"
+#include "TriangleComplex.h"
+#include "VolumeMesh.h"
+
+namespace lamina
+{
+
+struct AuditOptions
+{
+  double qualityGate = 0.1;      ///< 3r/R below which a tet counts as bad
+  double volumeTolerance = 1e-9; ///< relative difference allowed between cells and enclosed volume
+  Id overlapSamples = 2000;      ///< random points tested for lying in exactly one cell
+  double surfaceScale = 1;       ///< factor on `surface`'s coordinates to match the mesh
+};
+
+/// Bits of MeshingFlags set by the audit on cells.
+enum AuditFlag : unsigned char
+{
+  FlagInverted = 1,
+  FlagBadQuality = 2,
+  FlagNonConforming = 4,
+  FlagOverlap = 8
+};
+
+struct MaterialAudit
+{
+  int material = 0;
+  Id tets = 0;
+  Id wedges = 0;
+  Id pyramids = 0;
+  Id components = 0;           ///< pieces connected through faces
+  double meshVolume = 0;
+  double surfaceVolume = 0;    ///< NaN without a surface
+  double tetQualityMin = 1;    ///< 3r/R
+  double tetQualityP1 = 1;     ///< percentiles 1 and 50
+  double tetQualityP50 = 1;
+  double tetAboveGate = 1;     ///< share of tets above the gate
+  double wedgeQualityMin = 1;  ///< scaled aspect ratio
+  double wedgeQualityP1 = 1;
+  double wedgeQualityP50 = 1;
+};
+
+struct AuditReport
+{
+  Id points = 0;
+  Id cells = 0;
+  Id invertedCells = 0;
+  Id facesOfManyCells = 0;     ///< interior faces shared by more than two cells
+  Id mismatchedFaces = 0;      ///< quads that meet triangles
+  Id duplicatePoints = 0;
+  Id unusedPoints = 0;
+  Id openFaces = 0;            ///< boundary faces that are not triangles of the surface (needs the surface)
+  Id interfaceTriangles = 0;
+  Id interfaceMismatches = 0;  ///< surface triangles between meshed materials without exactly one cell on each side
+  Id overlaps = 0;             ///< sample points in more than one cell, or in none where the surface says inside
+  double largestVolumeError = 0; ///< relative
+  std::vector<MaterialAudit> materials;
+  std::vector<std::string> findings; ///< a sentence for each thing wrong, with the first places
+  bool Passed() const { return this->findings.empty(); }
+};
+
+/// What the audit writes on the cells.
+struct AuditMarks
+{
+  std::vector<double> quality;      ///< MeshQuality
+  std::vector<unsigned char> flags; ///< MeshingFlags
+};
+
+/// Audit `mesh`; with `surface` (may be null) also interfaces and enclosed volumes.
+Result<AuditReport> AuditMesh(const VolumeMesh& mesh, const TriangleComplex* surface, const AuditOptions& options,
+  AuditMarks& marks, Monitor& monitor);
+
+} // namespace lamina

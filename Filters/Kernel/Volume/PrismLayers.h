@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prism layers on the walls of the fluid materials of a surface.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "../Base/Result.h"
+#include "../Mesh/TriangleComplex.h"
+#include "../Mesh/VolumeMesh.h"
+#include "LayeredTets.h"
+
+namespace lamina
+{
+
+struct PrismLayersOptions
+{
+  std::vector<int> materials; ///< the fluids; empty: none
+  int layers = 5;             ///< prisms on every wall triangle, >= 1
+  double growth = 1.2;        ///< height of a layer over that of the one below it, in [1, 3]
+  double thickness = 0.25;    ///< of all layers together, as a share of the local feature size, in (0, 0.45]
+};
+
+/// `mesh` gets the prisms (pyramids and tets where columns had to stop: at openings and at nodes that no direction
+/// sees); `front` the closed surfaces that bound what is left, materials (fluid, 0), with targetEdgeLength of its edges.
+Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const PrismLayersOptions& options,
+  VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface, Monitor& monitor);
+
+} // namespace lamina
