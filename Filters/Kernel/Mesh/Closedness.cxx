@@ -32,7 +32,7 @@ struct EdgeUses
   std::vector<EdgeUse> uses;
 };
 
-template <typename Visit>
+template<typename Visit>
 void ForEdgeUses(const TriangleComplex& surface, Visit&& visit)
 {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -62,9 +62,11 @@ EdgeUses FileEdgeUses(const TriangleComplex& surface)
   }
   filed.uses.resize(filed.start.back());
   std::vector<std::size_t> next(filed.start.begin(), filed.start.end() - 1);
-  ForEdgeUses(surface, [&](Id a, Id b, int material) {
-    filed.uses[next[static_cast<std::size_t>(std::min(a, b))]++] = { std::max(a, b), material, a < b };
-  });
+  ForEdgeUses(
+    surface,
+    [&](Id a, Id b, int material) {
+      filed.uses[next[static_cast<std::size_t>(std::min(a, b))]++] = { std::max(a, b), material, a < b };
+    });
   return filed;
 }
 
@@ -113,8 +115,9 @@ std::optional<Error> CheckTriangle(const TriangleComplex& surface, std::size_t t
   if (!ordered)
   {
     return InvalidInput(name + " has the materials (" + std::to_string(pair.first) + ", " +
-        std::to_string(pair.second) + "): two ascending ids, or one and 0 for the background, are needed",
-      { Centre(surface, t) });
+                          std::to_string(pair.second) +
+                          "): two ascending ids, or one and 0 for the background, are needed",
+                        { Centre(surface, t) });
   }
   return std::nullopt;
 }
@@ -127,8 +130,8 @@ std::optional<Error> CheckArrays(const TriangleComplex& surface)
   if (surface.materials.size() != count || (!surface.patches.empty() && surface.patches.size() != count))
   {
     return InvalidInput("the surface has " + std::to_string(count) + " triangles but " +
-      std::to_string(surface.materials.size()) + " material pairs and " + std::to_string(surface.patches.size()) +
-      " patch ids");
+                        std::to_string(surface.materials.size()) + " material pairs and " +
+                        std::to_string(surface.patches.size()) + " patch ids");
   }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
@@ -153,23 +156,25 @@ std::vector<OpenEdge> FindOpenEdges(const TriangleComplex& surface, Monitor& mon
   const Id count = static_cast<Id>(surface.points.size());
   const Id blocks = (count + Grain - 1) / Grain;
   std::vector<std::vector<OpenEdge>> found(static_cast<std::size_t>(blocks));
-  monitor.For(blocks, 1, [&](Id begin, Id end) {
-    for (Id p = begin * Grain; p < std::min(count, end * Grain); ++p)
-    {
-      EdgeUse* first = filed.uses.data() + filed.start[static_cast<std::size_t>(p)];
-      EdgeUse* last = filed.uses.data() + filed.start[static_cast<std::size_t>(p) + 1];
-      std::sort(first, last);
-      CollectUnsound(p, first, last, found[static_cast<std::size_t>(p / Grain)]);
-    }
-  });
+  monitor.For(blocks, 1,
+              [&](Id begin, Id end)
+              {
+                for (Id p = begin * Grain; p < std::min(count, end * Grain); ++p)
+                {
+                  EdgeUse* first = filed.uses.data() + filed.start[static_cast<std::size_t>(p)];
+                  EdgeUse* last = filed.uses.data() + filed.start[static_cast<std::size_t>(p) + 1];
+                  std::sort(first, last);
+                  CollectUnsound(p, first, last, found[static_cast<std::size_t>(p / Grain)]);
+                }
+              });
   std::vector<OpenEdge> edges;
   for (const auto& part : found)
   {
     edges.insert(edges.end(), part.begin(), part.end());
   }
-  std::sort(edges.begin(), edges.end(), [](const OpenEdge& a, const OpenEdge& b) {
-    return std::tie(a.material, a.a, a.b) < std::tie(b.material, b.a, b.b);
-  });
+  std::sort(edges.begin(), edges.end(),
+            [](const OpenEdge& a, const OpenEdge& b)
+            { return std::tie(a.material, a.a, a.b) < std::tie(b.material, b.a, b.b); });
   return edges;
 }
 
@@ -180,7 +185,8 @@ std::optional<Error> CheckClosed(const TriangleComplex& surface, bool manifold, 
     return error;
   }
   auto edges = FindOpenEdges(surface, monitor);
-  const auto sound = std::partition(edges.begin(), edges.end(), [](const OpenEdge& e) { return e.IsOpen(); });
+  const auto sound =
+    std::stable_partition(edges.begin(), edges.end(), [](const OpenEdge& e) { return e.IsOpen(); });
   const bool isOpen = sound != edges.begin();
   if (isOpen)
   {
@@ -193,14 +199,14 @@ std::optional<Error> CheckClosed(const TriangleComplex& surface, bool manifold, 
   std::vector<Vec3> places;
   for (std::size_t i = 0; i < std::min(edges.size(), MostPlaces); ++i)
   {
-    places.push_back(0.5 *
-      (surface.points[static_cast<std::size_t>(edges[i].a)] + surface.points[static_cast<std::size_t>(edges[i].b)]));
+    places.push_back(0.5 * (surface.points[static_cast<std::size_t>(edges[i].a)] +
+                            surface.points[static_cast<std::size_t>(edges[i].b)]));
   }
   const std::string number = std::to_string(edges.size()) + (edges.size() == 1 ? " edge" : " edges");
   const std::string material = "the boundary of material " + std::to_string(edges.front().material);
-  return InvalidInput(isOpen
-      ? material + " is open or turns its normals over (" + number + " in all): close the surface"
-      : material + " meets itself (" + number + " with more than two triangles): part the sheets",
+  return InvalidInput(
+    isOpen ? material + " is open or turns its normals over (" + number + " in all): close the surface"
+           : material + " meets itself (" + number + " with more than two triangles): part the sheets",
     places);
 }
 

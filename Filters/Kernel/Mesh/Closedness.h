@@ -17,23 +17,23 @@ struct OpenEdge
   int material = 0;
   Id a = 0; ///< a < b
   Id b = 0;
-  int forward = 0;  ///< triangles of the material's boundary (normal out of the material) that run from a to b
+  int forward = 0; ///< triangles of the material's boundary (normal out of the material) that run from a to b
   int backward = 0; ///< and from b to a: a sound edge has one each
 
   /// Several sheets may meet in an edge and still enclose a volume; then as many run forward as backward.
   bool IsOpen() const { return this->forward != this->backward; }
 };
 
-/// The array lengths agree, ids are in range, coordinates finite, corners distinct, and each triangle parts two
-/// materials in the order of MaterialPair. The first thing wrong, with its places.
+/// The array lengths agree, ids are in range, coordinates finite, corners distinct, and each triangle parts
+/// two materials in the order of MaterialPair. The first thing wrong, with its places.
 std::optional<Error> CheckArrays(const TriangleComplex& surface);
 
-/// The edges of the boundary of every material but the background that are not used once in each sense, ordered by
-/// material and ids. The arrays must be sound.
+/// The edges of the boundary of every material but the background that are not used once in each sense,
+/// ordered by material and ids. The arrays must be sound.
 std::vector<OpenEdge> FindOpenEdges(const TriangleComplex& surface, Monitor& monitor);
 
-/// CheckArrays, then FindOpenEdges: an error that says where the surface is open or, with `manifold`, where more than
-/// two triangles of one material's boundary meet in an edge.
+/// CheckArrays, then FindOpenEdges: an error that says where the surface is open or, with `manifold`, where
+/// more than two triangles of one material's boundary meet in an edge.
 std::optional<Error> CheckClosed(const TriangleComplex& surface, bool manifold, Monitor& monitor);
 
 } // namespace lamina
