@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact predicates (CGAL's filtered kernel): the only place where decisions about signs are made.
+// All coordinates must be finite. A triangle without area touches whatever its bounding box touches: the answers err on
+// the side of trouble.
 #pragma once
 
 #include "../Base/Types.h"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Adjacency.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lamina
+{
+
+Lists TrianglesOfPoints(Id pointCount, const std::vector<Triangle>& triangles)
+{
+  Lists lists;
+  lists.offsets.assign(static_cast<std::size_t>(pointCount) + 1, 0);
+  for (const Triangle& t : triangles)
+  {
+    for (Id p : t)
+    {
+      ++lists.offsets[static_cast<std::size_t>(p) + 1];
+    }
+  }
+  for (std::size_t i = 1; i < lists.offsets.size(); ++i)
+  {
+    lists.offsets[i] += lists.offsets[i - 1];
+  }
+  lists.data.resize(3 * triangles.size());
+  std::vector<Id> fill(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (Id p : triangles[i])
+    {
+      lists.data[static_cast<std::size_t>(fill[static_cast<std::size_t>(p)]++)] = static_cast<Id>(i);
+    }
+  }
+  return lists;
+}
+
+EdgeTable MakeEdgeTable(const std::vector<Triangle>& triangles)
+{
+  struct Use
+  {
+    Id a;
+    Id b;
+    Id triangle;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id p = triangles[i][static_cast<std::size_t>(k)];
+      const Id q = triangles[i][static_cast<std::size_t>((k + 1) % 3)];
+      uses.push_back({ std::min(p, q), std::max(p, q), static_cast<Id>(i) });
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& u, const Use& v) {
+    return u.a != v.a ? u.a < v.a : (u.b != v.b ? u.b < v.b : u.triangle < v.triangle);
+  });
+  EdgeTable table;
+  for (const Use& use : uses)
+  {
+    if (table.edges.empty() || table.edges.back().a != use.a || table.edges.back().b != use.b)
+    {
+      table.edges.push_back({ use.a, use.b });
+      table.triangles.offsets.push_back(static_cast<Id>(table.triangles.data.size()));
+    }
+    table.triangles.data.push_back(use.triangle);
+  }
+  table.triangles.offsets.push_back(static_cast<Id>(table.triangles.data.size()));
+  return table;
+}
+
+std::vector<int> MaterialsOf(const TriangleComplex& surface)
+{
+  std::set<int> found;
+  for (const MaterialPair& pair : surface.materials)
+  {
+    found.insert(pair.first);
+    found.insert(pair.second);
+  }
+  found.erase(0);
+  return { found.begin(), found.end() };
+}
+
+bool IsOpening(const TriangleComplex& surface, int patch)
+{
+  const auto p = static_cast<std::size_t>(patch);
+  return patch > 0 && p < surface.patchNames.size() && surface.patchNames[p].rfind("opening", 0) == 0;
+}
+
+double MeanEdgeLength(const TriangleComplex& surface)
+{
+  double sum = 0;
+  for (const Triangle& t : surface.triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum += Norm(surface.points[static_cast<std::size_t>(t[(k + 1) % 3])] - surface.points[static_cast<std::size_t>(t[k])]);
+    }
+  }
+  return surface.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(surface.triangles.size()));
+}
+
+} // namespace lamina

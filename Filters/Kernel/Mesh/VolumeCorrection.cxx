@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeCorrection.h"
+
+#include "JunctionGraph.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <numeric>
+
+namespace lamina
+{
+
+namespace
+{
+
+class UnionFind
+{
+public:
+  explicit UnionFind(std::size_t count)
+    : Root(count)
+  {
+    std::iota(this->Root.begin(), this->Root.end(), std::size_t{ 0 });
+  }
+  std::size_t Find(std::size_t i)
+  {
+    while (this->Root[i] != i)
+    {
+      i = this->Root[i] = this->Root[this->Root[i]];
+    }
+    return i;
+  }
+  void Join(std::size_t i, std::size_t j)
+  {
+    i = this->Find(i);
+    j = this->Find(j);
+    this->Root[std::max(i, j)] = std::min(i, j);
+  }
+
+private:
+  std::vector<std::size_t> Root;
+};
+
+int MaterialAt(const TriangleComplex& surface, std::size_t triangle, int side)
+{
+  const MaterialPair& pair = surface.materials[triangle];
+  return side == 0 ? pair.first : pair.second;
+}
+
+/// The centre of the points' bounding box: volumes are summed about it, so that a far-off origin costs no digits.
+Vec3 LocalOrigin(const std::vector<Vec3>& points)
+{
+  if (points.empty())
+  {
+    return {};
+  }
+  Vec3 low = points[0];
+  Vec3 high = points[0];
+  for (const Vec3& p : points)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+double SixVolumes(const TriangleComplex& surface, const Triangle& t, const Vec3& origin)
+{
+  const Vec3 a = surface.points[static_cast<std::size_t>(t[0])] - origin;
+  const Vec3 b = surface.points[static_cast<std::size_t>(t[1])] - origin;
+  const Vec3 c = surface.points[static_cast<std::size_t>(t[2])] - origin;
+  return Dot(a, Cross(b, c));
+}
+
+} // namespace
+
+SheetGraph MakeSheetGraph(const TriangleComplex& surface)
+{
+  const std::size_t count = surface.triangles.size();
+  const EdgeTable table = MakeEdgeTable(surface.triangles);
+  UnionFind sheets(count);
+  UnionFind shells(2 * count); // node 2 * triangle + side
+  for (std::size_t e = 0; e < table.edges.size(); ++e)
+  {
+    const ListRow row = Row(table.triangles, static_cast<Id>(e));
+    const bool feature = IsFeatureEdge(surface, row.first, row.last);
+    for (const Id* s = row.first; s != row.last; ++s)
+    {
+      for (const Id* t = s + 1; t != row.last; ++t)
+      {
+        const auto i = static_cast<std::size_t>(*s);
+        const auto j = static_cast<std::size_t>(*t);
+        if (!feature)
+        {
+          sheets.Join(i, j);
+        }
+        for (std::size_t side = 0; side < 4; ++side)
+        {
+          if (MaterialAt(surface, i, static_cast<int>(side / 2)) == MaterialAt(surface, j, static_cast<int>(side % 2)))
+          {
+            shells.Join(2 * i + side / 2, 2 * j + side % 2);
+          }
+        }
+      }
+    }
+  }
+  SheetGraph graph;
+  graph.sheetOfTriangle.resize(count);
+  std::vector<int> shellOfRoot(2 * count, -1);
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const std::size_t root = sheets.Find(t);
+    if (root == t)
+    {
+      graph.sheetOfTriangle[t] = static_cast<int>(graph.shellsOfSheet.size());
+      std::array<int, 2> both{ { -1, -1 } };
+      for (std::size_t side = 0; side < 2; ++side)
+      {
+        const int material = MaterialAt(surface, t, static_cast<int>(side));
+        if (material == 0)
+        {
+          continue;
+        }
+        int& shell = shellOfRoot[shells.Find(2 * t + side)];
+        if (shell < 0)
+        {
+          shell = graph.ShellCount();
+          graph.materialOfShell.push_back(material);
+        }
+        both[side] = shell;
+      }
+      graph.shellsOfSheet.push_back(both);
+    }
+    else
+    {
+      graph.sheetOfTriangle[t] = graph.sheetOfTriangle[root];
+    }
+  }
+  return graph;
+}
+
+std::vector<double> ShellVolumes(const TriangleComplex& surface, const SheetGraph& graph)
+{
+  const Vec3 origin = LocalOrigin(surface.points);
+  std::vector<long double> sums(static_cast<std::size_t>(graph.ShellCount()), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const double six = SixVolumes(surface, surface.triangles[t], origin);
+    const auto& both = graph.shellsOfSheet[static_cast<std::size_t>(graph.sheetOfTriangle[t])];
+    if (both[0] >= 0)
+    {
+      sums[static_cast<std::size_t>(both[0])] += six;
+    }
+    if (both[1] >= 0)
+    {
+      sums[static_cast<std::size_t>(both[1])] -= six;
+    }
+  }
+  std::vector<double> volumes;
+  for (long double sum : sums)
+  {
+    volumes.push_back(static_cast<double>(sum / 6));
+  }
+  return volumes;
+}
+
+std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::vector<int>& materials)
+{
+  const Vec3 origin = LocalOrigin(surface.points);
+  std::vector<long double> sums(materials.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const double six = SixVolumes(surface, surface.triangles[t], origin);
+    for (std::size_t m = 0; m < materials.size(); ++m)
+    {
+      sums[m] += SideOf(surface.materials[t], materials[m]) * six;
+    }
+  }
+  std::vector<double> volumes;
+  for (long double sum : sums)
+  {
+    volumes.push_back(static_cast<double>(sum / 6));
+  }
+  return volumes;
+}
+
+namespace
+{
+
+/// How the inner points of the sheets move, and what that does to volumes.
+struct Motion
+{
+  std::vector<int> sheetOfPoint;     ///< -1: stays
+  std::vector<Vec3> normals;         ///< unit, along the triangles' normals
+  std::vector<double> areaOfSheet;   ///< dV / dheight of the pair's first material
+};
+
+Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph)
+{
+  Motion motion;
+  motion.sheetOfPoint.assign(surface.points.size(), -2);
+  motion.normals.assign(surface.points.size(), Vec3{});
+  motion.areaOfSheet.assign(graph.shellsOfSheet.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Vec3 area = AreaVector2(surface.points, surface.triangles[t]);
+    for (Id p : surface.triangles[t])
+    {
+      const auto v = static_cast<std::size_t>(p);
+      int& sheet = motion.sheetOfPoint[v];
+      sheet = sheet == -2 || sheet == graph.sheetOfTriangle[t] ? graph.sheetOfTriangle[t] : -1;
+      motion.normals[v] += area;
+    }
+  }
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
+  {
+    const bool inner = surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet;
+    const double six = Norm(motion.normals[v]); // closed fan: the sum of area vectors is the gradient of 6 V
+    if (motion.sheetOfPoint[v] < 0 || !inner || six == 0)
+    {
+      motion.sheetOfPoint[v] = -1;
+      continue;
+    }
+    motion.normals[v] *= 1 / six;
+    motion.areaOfSheet[static_cast<std::size_t>(motion.sheetOfPoint[v])] += six / 6;
+  }
+  return motion;
+}
+
+/// Heights of the sheets that change the shells' volumes by `wanted` to first order, least in the mean over the area.
+std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, const std::vector<double>& wanted)
+{
+  using Sparse = Eigen::SparseMatrix<double>;
+  const auto shells = static_cast<Eigen::Index>(wanted.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t s = 0; s < graph.shellsOfSheet.size(); ++s)
+  {
+    const double area = motion.areaOfSheet[s];
+    const auto& both = graph.shellsOfSheet[s];
+    for (int i = 0; i < 4; ++i)
+    {
+      const int a = both[static_cast<std::size_t>(i / 2)];
+      const int b = both[static_cast<std::size_t>(i % 2)];
+      if (a >= 0 && b >= 0)
+      {
+        entries.emplace_back(a, b, (i / 2 == i % 2 ? 1 : -1) * area);
+      }
+    }
+  }
+  Sparse matrix(shells, shells);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd right(shells);
+  for (Eigen::Index i = 0; i < shells; ++i)
+  {
+    right[i] = wanted[static_cast<std::size_t>(i)];
+  }
+  Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> solver;
+  solver.setTolerance(1e-14);
+  solver.setMaxIterations(4 * shells + 100);
+  solver.compute(matrix);
+  const Eigen::VectorXd lambda = solver.solve(right);
+  std::vector<double> heights(graph.shellsOfSheet.size(), 0);
+  for (std::size_t s = 0; s < heights.size(); ++s)
+  {
+    const auto& both = graph.shellsOfSheet[s];
+    const double first = both[0] >= 0 ? lambda[both[0]] : 0;
+    const double second = both[1] >= 0 ? lambda[both[1]] : 0;
+    heights[s] = std::isfinite(first - second) ? first - second : 0;
+  }
+  return heights;
+}
+
+} // namespace
+
+double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets)
+{
+  double worst = 0;
+  for (int round = 0; round < 6; ++round)
+  {
+    const std::vector<double> volumes = ShellVolumes(surface, graph);
+    std::vector<double> wanted(targets.size());
+    worst = 0;
+    for (std::size_t s = 0; s < targets.size(); ++s)
+    {
+      wanted[s] = targets[s] - volumes[s];
+      worst = std::max(worst, std::abs(wanted[s]) / std::max(std::abs(targets[s]), 1e-300));
+    }
+    if (worst < 2e-15)
+    {
+      break;
+    }
+    const Motion motion = MakeMotion(surface, graph);
+    const std::vector<double> heights = SolveHeights(graph, motion, wanted);
+    for (std::size_t v = 0; v < surface.points.size(); ++v)
+    {
+      if (motion.sheetOfPoint[v] >= 0)
+      {
+        surface.points[v] += heights[static_cast<std::size_t>(motion.sheetOfPoint[v])] * motion.normals[v];
+      }
+    }
+  }
+  return worst;
+}
+
+} // namespace lamina

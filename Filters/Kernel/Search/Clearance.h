@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far the points of a surface may move before parts of it that share no corner could meet.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "TriangleTree.h"
+
+namespace lamina
+{
+
+/// Squared distance of two triangles that do not intersect.
+double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t);
+
+/// Per point the least distance of its triangles to any triangle without a common corner, at most `cutoff`.
+/// If every point stays within less than half of its value, no two such triangles can meet.
+std::vector<double> PointClearances(
+  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, double cutoff, Monitor& monitor);
+
+} // namespace lamina

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The queries that take a callable.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamina
+{
+
+inline void Box::Add(const Vec3& p)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->low[i] = std::min(this->low[i], p[i]);
+    this->high[i] = std::max(this->high[i], p[i]);
+  }
+}
+
+inline void Box::Add(const Box& b)
+{
+  this->Add(b.low);
+  this->Add(b.high);
+}
+
+inline void Box::Grow(double by)
+{
+  this->low -= { by, by, by };
+  this->high += { by, by, by };
+}
+
+inline bool Box::Overlaps(const Box& b) const
+{
+  return this->low.x <= b.high.x && b.low.x <= this->high.x && this->low.y <= b.high.y &&
+         b.low.y <= this->high.y && this->low.z <= b.high.z && b.low.z <= this->high.z;
+}
+
+inline double Box::Distance2(const Vec3& p) const
+{
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double d = std::max({ this->low[i] - p[i], 0.0, p[i] - this->high[i] });
+    sum += d * d;
+  }
+  return sum;
+}
+
+namespace tree
+{
+
+/// Where origin + t / inverse enters the box, +inf if it misses it within [tMin, tMax]. A zero of the
+/// direction has an infinite inverse; the NaN of 0 * inf (origin in the plane of a side) is taken as inside
+/// the slab.
+inline double Entry(const Box& box, const Vec3& origin, const Vec3& inverse, double tMin, double tMax)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    double from = (box.low[i] - origin[i]) * inverse[i];
+    double to = (box.high[i] - origin[i]) * inverse[i];
+    if (from > to)
+    {
+      std::swap(from, to);
+    }
+    // A ray along a side must not slip between two boxes by rounding. The order of the arguments drops NaNs.
+    tMin = std::max(tMin, from * (from > 0 ? 1 - 1e-12 : 1 + 1e-12));
+    tMax = std::min(tMax, to * (to > 0 ? 1 + 1e-12 : 1 - 1e-12));
+  }
+  return tMin <= tMax ? tMin : std::numeric_limits<double>::infinity();
+}
+
+/// Depth of the stacks of the queries: the build halves by the median below SplitByCost.
+constexpr int SplitByCost = 48;
+constexpr int StackSize = 128;
+
+} // namespace tree
+
+template<typename Accept>
+TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& direction, double tMin, double tMax,
+                                         Accept&& accept) const
+{
+  Hit best;
+  best.t = tMax;
+  if (this->Nodes.empty())
+  {
+    return Hit{};
+  }
+  const Vec3 inverse{ 1 / direction.x, 1 / direction.y, 1 / direction.z };
+  std::array<std::int64_t, tree::StackSize> stack;
+  int top = 0;
+  stack[static_cast<std::size_t>(top++)] = 0;
+  while (top > 0)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
+    if (!(tree::Entry(node.box, origin, inverse, tMin, best.t) <= best.t))
+    {
+      continue;
+    }
+    for (std::int64_t i = node.begin; i < node.end; ++i)
+    {
+      const Id id = this->Order[static_cast<std::size_t>(i)];
+      const Triangle& c = this->Triangles[static_cast<std::size_t>(id)];
+      const double t = RayTriangle(origin, direction, this->Points[static_cast<std::size_t>(c[0])],
+                                   this->Points[static_cast<std::size_t>(c[1])],
+                                   this->Points[static_cast<std::size_t>(c[2])]);
+      const bool nearer = t > tMin && (t < best.t || (t == best.t && id < best.triangle));
+      if (nearer && accept(id))
+      {
+        best = { id, t };
+      }
+    }
+    if (node.left >= 0)
+    {
+      const auto entry = [&](std::int64_t child) {
+        return tree::Entry(this->Nodes[static_cast<std::size_t>(child)].box, origin, inverse, tMin, best.t);
+      };
+      const bool leftFirst = entry(node.left) <= entry(node.right);
+      stack[static_cast<std::size_t>(top++)] = leftFirst ? node.right : node.left;
+      stack[static_cast<std::size_t>(top++)] = leftFirst ? node.left : node.right;
+    }
+  }
+  return best.triangle < 0 ? Hit{} : best;
+}
+
+template<typename Visit>
+void TriangleTree::ForOverlaps(const Box& box, Visit&& visit) const
+{
+  std::array<std::int64_t, tree::StackSize> stack;
+  int top = 0;
+  if (!this->Nodes.empty())
+  {
+    stack[static_cast<std::size_t>(top++)] = 0;
+  }
+  while (top > 0)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
+    if (!node.box.Overlaps(box))
+    {
+      continue;
+    }
+    for (std::int64_t i = node.begin; i < node.end; ++i)
+    {
+      const Id id = this->Order[static_cast<std::size_t>(i)];
+      Box own;
+      for (Id corner : this->Triangles[static_cast<std::size_t>(id)])
+      {
+        own.Add(this->Points[static_cast<std::size_t>(corner)]);
+      }
+      if (own.Overlaps(box) && !visit(id))
+      {
+        return;
+      }
+    }
+    if (node.left >= 0)
+    {
+      stack[static_cast<std::size_t>(top++)] = node.right;
+      stack[static_cast<std::size_t>(top++)] = node.left;
+    }
+  }
+}
+
+} // namespace lamina

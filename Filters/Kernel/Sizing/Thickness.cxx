@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Thickness.h"
+
+#include "../Search/TriangleTree.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+namespace
+{
+
+constexpr Id Grain = 512;
+constexpr double Pi = 3.14159265358979323846;
+/// Hits nearer than this share of the edges around the point are rounding.
+constexpr double NearestHit = 1e-3;
+
+bool Touches(const MaterialPair& pair, int material)
+{
+  return pair.first == material || pair.second == material;
+}
+
+/// All that the rays of one material need.
+class Caster
+{
+public:
+  Caster(const TriangleComplex& surface, const TrianglesAround& around, int material, double maximum,
+         double coneAngle)
+    : Surface(surface)
+    , Around(around)
+    , Material(material)
+    , Maximum(maximum)
+    , Cosine(std::cos(coneAngle * Pi / 180))
+    , Sine(std::sin(coneAngle * Pi / 180))
+    , Walls(surface.points, surface.triangles, WallsOf(surface, material))
+  {
+  }
+
+  double At(Id point) const
+  {
+    const Vec3 inward = this->Inward(point);
+    if (Norm2(inward) == 0)
+    {
+      return this->Maximum;
+    }
+    // Any pair of directions across the normal does; the axis least along it makes the first.
+    const Vec3 a{ std::abs(inward.x), std::abs(inward.y), std::abs(inward.z) };
+    const Vec3 axis =
+      a.x <= a.y && a.x <= a.z ? Vec3{ 1, 0, 0 } : (a.y <= a.z ? Vec3{ 0, 1, 0 } : Vec3{ 0, 0, 1 });
+    const Vec3 u = Normalized(Cross(inward, axis));
+    const Vec3 v = Cross(inward, u);
+    const double nearest = NearestHit * this->EdgeLength(point);
+    double least = this->Diameter(point, inward, 1, nearest, this->Maximum);
+    for (int k = 0; k < 6 && this->Sine > 0; ++k)
+    {
+      const double turn = k * Pi / 3;
+      const Vec3 across = std::cos(turn) * u + std::sin(turn) * v;
+      least =
+        this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest, least);
+    }
+    return least;
+  }
+
+private:
+  static std::vector<Id> WallsOf(const TriangleComplex& surface, int material)
+  {
+    std::vector<Id> walls;
+    for (Id t = 0; t < static_cast<Id>(surface.triangles.size()); ++t)
+    {
+      if (Touches(surface.materials[static_cast<std::size_t>(t)], material) && surface.Patch(t) == 0)
+      {
+        walls.push_back(t);
+      }
+    }
+    return walls;
+  }
+
+  const Vec3& Corner(Id triangle, std::size_t k) const
+  {
+    return this->Surface
+      .points[static_cast<std::size_t>(this->Surface.triangles[static_cast<std::size_t>(triangle)][k])];
+  }
+
+  /// Along the normal out of the material, twice the area long.
+  Vec3 Outward(Id triangle) const
+  {
+    const Vec3 n = Cross(this->Corner(triangle, 1) - this->Corner(triangle, 0),
+                         this->Corner(triangle, 2) - this->Corner(triangle, 0));
+    return this->Surface.materials[static_cast<std::size_t>(triangle)].first == this->Material ? n : -n;
+  }
+
+  template<typename Visit>
+  void ForTriangles(Id point, Visit&& visit) const
+  {
+    const auto p = static_cast<std::size_t>(point);
+    for (std::size_t i = this->Around.start[p]; i < this->Around.start[p + 1]; ++i)
+    {
+      const Id t = this->Around.triangles[i];
+      if (Touches(this->Surface.materials[static_cast<std::size_t>(t)], this->Material))
+      {
+        visit(t);
+      }
+    }
+  }
+
+  /// Unit normal into the material, each wall triangle weighted by its angle at the point. Openings only
+  /// weigh in where the point has no wall.
+  Vec3 Inward(Id point) const
+  {
+    Vec3 walls;
+    Vec3 openings;
+    this->ForTriangles(point,
+                       [&](Id t)
+                       {
+                         const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
+                         const std::size_t k = c[0] == point ? 0 : (c[1] == point ? 1 : 2);
+                         const Vec3 e = this->Corner(t, (k + 1) % 3) - this->Corner(t, k);
+                         const Vec3 f = this->Corner(t, (k + 2) % 3) - this->Corner(t, k);
+                         const double angle = std::atan2(Norm(Cross(e, f)), Dot(e, f));
+                         (this->Surface.Patch(t) == 0 ? walls : openings) -=
+                           angle * Normalized(this->Outward(t));
+                       });
+    const Vec3 normal = Normalized(walls);
+    return Norm2(normal) > 0 ? normal : Normalized(openings);
+  }
+
+  double EdgeLength(Id point) const
+  {
+    double sum = 0;
+    int count = 0;
+    this->ForTriangles(point,
+                       [&](Id t)
+                       {
+                         for (std::size_t k = 0; k < 3; ++k)
+                         {
+                           sum += Norm(this->Corner(t, (k + 1) % 3) - this->Corner(t, k));
+                           ++count;
+                         }
+                       });
+    return sum / count;
+  }
+
+  /// Diameter of the ball through the ray's exit, or `limit` if that is smaller.
+  double Diameter(Id point, const Vec3& direction, double cosine, double nearest, double limit) const
+  {
+    const auto leaves = [&](Id t)
+    {
+      const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
+      return c[0] != point && c[1] != point && c[2] != point && Dot(direction, this->Outward(t)) > 0;
+    };
+    const auto hit = this->Walls.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
+                                          nearest, limit * cosine, leaves);
+    return hit.triangle < 0 ? limit : std::min(limit, hit.t / cosine);
+  }
+
+  const TriangleComplex& Surface;
+  const TrianglesAround& Around;
+  int Material;
+  double Maximum;
+  double Cosine;
+  double Sine;
+  TriangleTree Walls;
+};
+
+} // namespace
+
+TrianglesAround FindTrianglesAround(const TriangleComplex& surface)
+{
+  TrianglesAround around;
+  around.start.assign(surface.points.size() + 1, 0);
+  for (const Triangle& t : surface.triangles)
+  {
+    for (Id p : t)
+    {
+      ++around.start[static_cast<std::size_t>(p) + 1];
+    }
+  }
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    around.start[p + 1] += around.start[p];
+  }
+  around.triangles.resize(around.start.back());
+  std::vector<std::size_t> next(around.start.begin(), around.start.end() - 1);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (Id p : surface.triangles[t])
+    {
+      around.triangles[next[static_cast<std::size_t>(p)]++] = static_cast<Id>(t);
+    }
+  }
+  return around;
+}
+
+std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
+{
+  std::vector<char> touched(surface.points.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (Touches(surface.materials[t], material))
+    {
+      for (Id p : surface.triangles[t])
+      {
+        touched[static_cast<std::size_t>(p)] = 1;
+      }
+    }
+  }
+  std::vector<Id> ids;
+  for (std::size_t p = 0; p < touched.size(); ++p)
+  {
+    if (touched[p] != 0)
+    {
+      ids.push_back(static_cast<Id>(p));
+    }
+  }
+  return ids;
+}
+
+std::vector<double> MeasureThickness(const TriangleComplex& surface, const TrianglesAround& around,
+                                     int material, const std::vector<Id>& ids, double maximum,
+                                     double coneAngle, Monitor& monitor)
+{
+  const Caster caster(surface, around, material, maximum, coneAngle);
+  std::vector<double> thickness(ids.size(), maximum);
+  monitor.For(static_cast<Id>(ids.size()), Grain,
+              [&](Id begin, Id end)
+              {
+                for (Id i = begin; i < end; ++i)
+                {
+                  thickness[static_cast<std::size_t>(i)] = caster.At(ids[static_cast<std::size_t>(i)]);
+                }
+              });
+  return thickness;
+}
+
+} // namespace lamina

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MoveGuard.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double leastTurnCosine = 0.3;  ///< between a triangle's normal now and at the phase's start
+constexpr double leastShape = 0.08;      ///< twice the area over the longest edge squared
+constexpr double flattestFold = -0.7;    ///< cosine between neighbours' directions: no dihedral below about 45 degrees
+
+} // namespace
+
+MoveGuard::MoveGuard(const SmoothingState& state, double largestDrift)
+  : State(state)
+  , LargestDrift(largestDrift)
+  , Origin(state.surface.points)
+  , OriginNormal(state.surface.points.size())
+{
+  for (const Triangle& t : state.surface.triangles)
+  {
+    const Vec3 area = AreaVector2(state.surface.points, t);
+    for (Id p : t)
+    {
+      this->OriginNormal[static_cast<std::size_t>(p)] += area;
+    }
+  }
+  for (Vec3& n : this->OriginNormal)
+  {
+    n = Normalized(n);
+  }
+}
+
+void MoveGuard::StartPhase(std::vector<double> radii)
+{
+  this->Radii = std::move(radii);
+  this->Anchor = this->State.surface.points;
+  this->AnchorNormal.clear();
+  for (const Triangle& t : this->State.surface.triangles)
+  {
+    this->AnchorNormal.push_back(Normalized(AreaVector2(this->Anchor, t)));
+  }
+}
+
+Vec3 MoveGuard::Place(Id p, const Relaxation& r) const
+{
+  const Vec3& x = this->State.surface.points[static_cast<std::size_t>(p)];
+  return p == r.a ? x + r.moveA : (p == r.b ? x + r.moveB : x);
+}
+
+bool MoveGuard::StaysNear(Id p, const Vec3& place) const
+{
+  const auto v = static_cast<std::size_t>(p);
+  const Vec3 drift = place - this->Origin[v];
+  return IsFinite(place) && Norm2(place - this->Anchor[v]) <= this->Radii[v] * this->Radii[v] &&
+    std::abs(Dot(drift, this->OriginNormal[v])) <= this->LargestDrift &&
+    Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
+}
+
+bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
+{
+  for (Id t : Row(this->State.star, p))
+  {
+    const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(t)];
+    const Vec3 a = this->Place(tri[0], r);
+    const Vec3 b = this->Place(tri[1], r);
+    const Vec3 c = this->Place(tri[2], r);
+    const Vec3 area = Cross(b - a, c - a);
+    const double size = Norm(area);
+    if (Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]) < leastTurnCosine * size)
+    {
+      return false;
+    }
+    const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
+    if (size < leastShape * longest2)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Every two triangles at an edge of t open wider than about 45 degrees, or at least no less than before the move.
+bool MoveGuard::KeepsAngles(Id t, const Relaxation& r) const
+{
+  const auto& points = this->State.surface.points;
+  for (Id e : this->State.edgesOfTriangle[static_cast<std::size_t>(t)])
+  {
+    const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
+    const auto direction = [&](Id triangle, bool moved) {
+      const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
+      const Id far = tri[0] + tri[1] + tri[2] - edge.a - edge.b;
+      const Vec3 a = moved ? this->Place(edge.a, r) : points[static_cast<std::size_t>(edge.a)];
+      const Vec3 b = moved ? this->Place(edge.b, r) : points[static_cast<std::size_t>(edge.b)];
+      const Vec3 u = Normalized(b - a);
+      const Vec3 w = (moved ? this->Place(far, r) : points[static_cast<std::size_t>(far)]) - a;
+      return Normalized(w - Dot(w, u) * u);
+    };
+    const ListRow row = Row(this->State.table.triangles, e);
+    for (Id other : row)
+    {
+      if (other == t)
+      {
+        continue;
+      }
+      const double now = Dot(direction(t, true), direction(other, true));
+      if (now > -flattestFold && now > Dot(direction(t, false), direction(other, false)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool MoveGuard::Allows(const Relaxation& r) const
+{
+  for (Id p : { r.a, r.b })
+  {
+    if (p >= 0 && (!this->StaysNear(p, this->Place(p, r)) || !this->KeepsTriangles(p, r)))
+    {
+      return false;
+    }
+  }
+  for (Id p : { r.a, r.b })
+  {
+    if (p < 0)
+    {
+      continue;
+    }
+    for (Id t : Row(this->State.star, p))
+    {
+      const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(t)];
+      const bool seen = p == r.b && (tri[0] == r.a || tri[1] == r.a || tri[2] == r.a);
+      if (!seen && !this->KeepsAngles(t, r))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace lamina

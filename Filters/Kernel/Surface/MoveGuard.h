@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which moves of points are safe: nothing folds, nothing comes near, nobody strays from the image.
+#pragma once
+
+#include "EdgeRelaxation.h"
+
+namespace lamina
+{
+
+/// Accepts or refuses relaxations during one phase of sweeps. Safety rests on two bounds: every point stays within a
+/// ball around its place at the phase's start, small enough that triangles without a common corner cannot meet; and
+/// triangles with a common corner keep their direction, shape and dihedral angles.
+class MoveGuard
+{
+public:
+  MoveGuard(const SmoothingState& state, double largestDrift);
+
+  /// Begin a phase at the present positions with the given ball radii.
+  void StartPhase(std::vector<double> radii);
+  bool Allows(const Relaxation& relaxation) const;
+  const std::vector<Vec3>& PhaseStart() const { return this->Anchor; }
+
+private:
+  bool StaysNear(Id p, const Vec3& place) const;
+  Vec3 Place(Id p, const Relaxation& r) const;
+  bool KeepsTriangles(Id p, const Relaxation& r) const;
+  bool KeepsAngles(Id t, const Relaxation& r) const;
+
+  const SmoothingState& State;
+  double LargestDrift;
+  std::vector<Vec3> Origin;       ///< positions before all sweeps
+  std::vector<Vec3> OriginNormal; ///< unit normals there
+  std::vector<Vec3> Anchor;
+  std::vector<Vec3> AnchorNormal; ///< of triangles
+  std::vector<double> Radii;
+};
+
+} // namespace lamina
