@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AlgorithmMonitor.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr auto TellEvery = std::chrono::milliseconds(100);
+/// A loop is cut into slices of about this time, between which the calling thread listens.
+constexpr double SliceSeconds = 0.25;
+
+int WantedThreads()
+{
+  const char* text = std::getenv("VTK_SMP_MAX_THREADS");
+  const int asked = text ? std::atoi(text) : 0;
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+AlgorithmMonitor::AlgorithmMonitor(vtkAlgorithm* self)
+  : Self(self)
+  , Threads(WantedThreads())
+  , OwnScope(std::string(vtkSMPTools::GetBackend()) == "Sequential")
+  , Told(Clock::now() - TellEvery)
+{
+}
+
+void AlgorithmMonitor::Tell()
+{
+  const auto now = Clock::now();
+  if (now - this->Told < TellEvery)
+  {
+    return;
+  }
+  this->Told = now;
+  this->Self->SetProgressText(this->What.c_str());
+  this->Self->UpdateProgress(this->Fraction);
+}
+
+void AlgorithmMonitor::Progress(double fraction, const char* what)
+{
+  this->Fraction = std::clamp(fraction, 0.0, 1.0);
+  if (what)
+  {
+    this->What = what;
+  }
+  this->Tell();
+}
+
+bool AlgorithmMonitor::Cancelled()
+{
+  this->Tell();
+  this->Stop = this->Stop || this->Self->GetAbortExecute() || this->Self->CheckAbort();
+  return this->Stop;
+}
+
+void AlgorithmMonitor::RunInThreads(Id begin, Id end, Id grain, const Chunk& chunk) const
+{
+  if (this->OwnScope && this->Threads == 1)
+  {
+    chunk(begin, end);
+    return;
+  }
+  // An exception must not leave a thread: the first one is kept and thrown again here.
+  std::exception_ptr thrown;
+  std::once_flag once;
+  const auto guarded = [&](vtkIdType b, vtkIdType e)
+  {
+    try
+    {
+      chunk(b, e);
+    }
+    catch (...)
+    {
+      std::call_once(once, [&] { thrown = std::current_exception(); });
+    }
+  };
+  const auto run = [&] { vtkSMPTools::For(begin, end, grain, guarded); };
+  if (this->OwnScope)
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ this->Threads, "STDThread", false }, run);
+  }
+  else
+  {
+    run();
+  }
+  if (thrown)
+  {
+    std::rethrow_exception(thrown);
+  }
+}
+
+void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
+{
+  grain = std::max<Id>(grain, 1);
+  Id slice = std::max(grain * this->Threads, count / 16);
+  for (Id begin = 0; begin < count && !this->Cancelled();)
+  {
+    const Id end = std::min(count, begin + slice);
+    const auto start = Clock::now();
+    this->RunInThreads(begin, end, grain, chunk);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (seconds < 0.5 * SliceSeconds)
+    {
+      slice *= 4;
+    }
+    else if (seconds > 2 * SliceSeconds)
+    {
+      slice = std::max(grain * this->Threads, slice / 4);
+    }
+    begin = end;
+  }
+}
+
+} // namespace lamina

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernel's monitor over a vtkAlgorithm: its progress and abort flag, and threads by vtkSMPTools.
+#pragma once
+
+#include "Base/Monitor.h"
+
+#include <chrono>
+#include <string>
+
+class vtkAlgorithm;
+
+namespace lamina
+{
+
+/// Made and used in the thread that runs RequestData: progress and abort are looked at from there only. Where
+/// VTK's back end is Sequential, as in ParaView's Debian packages, loops run in STDThread for their own
+/// scope. The number of threads is that of VTK_SMP_MAX_THREADS, else that of the cores.
+class AlgorithmMonitor : public Monitor
+{
+public:
+  explicit AlgorithmMonitor(vtkAlgorithm* self);
+  void Progress(double fraction, const char* what) override;
+  bool Cancelled() override;
+  void For(Id count, Id grain, const Chunk& chunk) override;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void Tell();
+  void RunInThreads(Id begin, Id end, Id grain, const Chunk& chunk) const;
+
+  vtkAlgorithm* Self;
+  int Threads;
+  bool OwnScope;
+  bool Stop = false;
+  double Fraction = 0;
+  std::string What;
+  Clock::time_point Told;
+};
+
+} // namespace lamina

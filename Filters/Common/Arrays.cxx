@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+
+#include <vtkDoubleArray.h>
+
+namespace lamina
+{
+
+Result<std::vector<Vec3>> ReadPoints(vtkPoints* points)
+{
+  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  std::vector<Vec3> result(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Vec3& p = result[static_cast<std::size_t>(i)];
+    points->GetPoint(i, &p.x);
+    if (!IsFinite(p))
+    {
+      return InvalidInput("point " + std::to_string(i) + " has a coordinate that is not a finite number");
+    }
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Vec3>& points)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  if (!points.empty())
+  {
+    std::memcpy(array->GetPointer(0), points.data(), points.size() * sizeof(Vec3));
+  }
+  auto result = vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(VTK_DOUBLE));
+  result->SetData(array);
+  return result;
+}
+
+} // namespace lamina

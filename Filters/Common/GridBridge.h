@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between vtkUnstructuredGrid and the kernel's VolumeMesh.
+#pragma once
+
+#include "Stage.h"
+
+#include "Mesh/VolumeMesh.h"
+
+class vtkUnstructuredGrid;
+
+namespace lamina
+{
+
+/// What to make of a grid without MaterialIds.
+enum class WithoutMaterials
+{
+  Refuse,
+  TakeAsOne ///< all cells are of material 1
+};
+
+/// Read tetrahedra, wedges and pyramids; other cells are refused. Missing LayerIds become 0, missing
+/// LayerIndex and InterfaceNodeIds -1.
+Result<VolumeMesh> ReadGrid(vtkUnstructuredGrid* input, WithoutMaterials without = WithoutMaterials::Refuse);
+
+/// Give `output` the mesh's points, cells and arrays.
+void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output);
+
+} // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between vtkImageData and the kernel's images. Origin, spacing, direction and extents that do not start at 0
+// are honoured.
+#pragma once
+
+#include "Stage.h"
+
+#include "Mesh/LabelImage.h"
+
+class vtkDataArray;
+class vtkImageData;
+class vtkInformation;
+
+namespace lamina
+{
+
+/// Where the image's voxels stand; a failure for 2-D images, spacings that are not positive and skewed axes.
+Result<GridGeometry> ReadGeometry(vtkImageData* image);
+
+/// The point array `name` if the image has it, else its only array; a failure if there is none, or a choice.
+/// `filter`: who would make the array, for the message; may be null.
+Result<vtkDataArray*> FindScalars(vtkImageData* image, const char* name, const char* filter);
+
+/// Material ids from an array of any number type: whole numbers from 0 to 65,535.
+Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars);
+/// Grey values from an array of any number type; they must be finite.
+Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars);
+/// A region of interest of the same grid as `image`: 1 where the mask's values are not 0.
+Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image);
+
+/// Set the geometry of a new image whose extent starts at 0.
+void WriteGeometry(const GridGeometry& grid, vtkImageData* image);
+/// Tell the pipeline about an image that a source is going to make (in RequestInformation).
+void WriteInformation(const GridGeometry& grid, vtkInformation* information);
+/// Put the labels on an image of the same size as its material ids, and make them its active scalars.
+void WriteLabels(const LabelImage& labels, vtkImageData* image);
+
+} // namespace lamina

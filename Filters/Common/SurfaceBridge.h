@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between vtkPolyData and the kernel's TriangleComplex, with all arrays of the contract (docs/pipeline.md).
+#pragma once
+
+#include "Stage.h"
+
+#include "Base/Monitor.h"
+#include "Mesh/TriangleComplex.h"
+
+class vtkPolyData;
+
+namespace lamina
+{
+
+/// Read points, triangles and every array of the contract that is there. Cells other than triangles are
+/// refused. Without BoundaryLabels, a closed surface is taken as material 1 inside and background outside
+/// (PlainSurface.h).
+Result<TriangleComplex> ReadSurface(vtkPolyData* input, Monitor& monitor);
+
+/// Give `output` the surface's points and triangles, its arrays, and take away arrays of the contract it does
+/// not have. Other arrays of `output` stay: fill it by ShallowCopy from the input first if they still fit.
+void WriteSurface(const TriangleComplex& surface, vtkPolyData* output);
+
+/// Put LayersAchieved and LayerFraction on the triangles.
+void WriteLayers(const std::vector<int>& achieved, const std::vector<double>& fraction, vtkPolyData* output);
+
+/// A failure if the surface has no usable TargetEdgeLength: the message names the filter that makes it.
+Status RequireTargetEdgeLength(const TriangleComplex& surface);
+/// A failure if the surface has no MaterialFeatureSize: the message names the filter that makes it.
+Status RequireThickness(const TriangleComplex& surface);
+
+} // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A made-up image of a heart, with the truth beside it.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "../Base/Result.h"
+#include "../Mesh/LabelImage.h"
+
+namespace lamina
+{
+
+struct HeartPhantomOptions
+{
+  int resolution = 120;        ///< voxels along the longest axis, 16 to 512
+  double length = 120;         ///< world length of the longest axis, > 0
+  double blood = 190;          ///< grey value of blood, 0 to 255
+  double tissue = 85;          ///< grey value of tissue
+  double background = 20;      ///< grey value of everything else
+  double noise = 12;           ///< standard deviation in grey levels, >= 0
+  double blur = 1;             ///< full width at half maximum of the point spread, in voxels, 0 to 8
+  double bias = 0.05;          ///< greatest relative change of brightness over the image, 0 to 1
+  unsigned long long seed = 1; ///< of the noise
+  bool open = false; ///< great vessels leave through the image's upper border instead of ending inside
+};
+
+struct HeartPhantomMaterial
+{
+  int id = 0;
+  Id voxels = 0;
+  Id components = 0; ///< over faces, counted
+};
+
+struct HeartPhantomReport
+{
+  std::vector<HeartPhantomMaterial> materials; ///< background, tissue, blood
+  Id mendedVoxels = 0; ///< made tissue because materials met in an edge or a corner only
+};
+
+/// Make the grey image and its true labels (0 background, 1 tissue, 2 blood). The true labels are well
+/// separated: blood never touches background, and no material meets itself in an edge or a corner only. The
+/// same options give the same image, whatever the number of threads.
+Result<HeartPhantomReport> MakeHeartPhantom(GreyImage& grey, LabelImage& labels,
+                                            const HeartPhantomOptions& options, Monitor& monitor);
+
+} // namespace lamina

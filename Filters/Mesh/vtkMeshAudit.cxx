@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshAudit.h"
+
+#include "AlgorithmMonitor.h"
+#include "Arrays.h"
+#include "AuditTable.h"
+#include "GridBridge.h"
+#include "MeshArrayNames.h"
+#include "Report.h"
+#include "Stage.h"
+#include "SurfaceBridge.h"
+
+#include "Mesh/Audit.h"
+#include "Surface/AuditSurface.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkMeshAudit);
+
+vtkMeshAudit::vtkMeshAudit()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkMeshAudit::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkMeshAudit::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkTable");
+  return 1;
+}
+
+int vtkMeshAudit::RequestDataObject(vtkInformation*, vtkInformationVector** inputs,
+                                    vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkInformation* first = outputs->GetInformationObject(0);
+  vtkDataObject* old = first->Get(vtkDataObject::DATA_OBJECT());
+  if (input && (!old || !old->IsA(input->GetClassName())))
+  {
+    vtkDataSet* output = input->NewInstance();
+    first->Set(vtkDataObject::DATA_OBJECT(), output);
+    output->FastDelete();
+  }
+  vtkInformation* second = outputs->GetInformationObject(1);
+  if (!vtkTable::GetData(second))
+  {
+    second->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkTable>::New());
+  }
+  return 1;
+}
+
+int vtkMeshAudit::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+  vtkTable* table = vtkTable::GetData(outputs, 1);
+  this->Passed = false;
+  this->ReportText = "{}";
+  if (lamina::IsEmpty(input))
+  {
+    return 1;
+  }
+  output->ShallowCopy(input);
+  if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input))
+  {
+    return this->AuditGrid(grid, vtkPolyData::GetData(inputs[1]), output, table);
+  }
+  return this->AuditSurface(vtkPolyData::SafeDownCast(input), output, table);
+}
+
+int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkDataSet* output,
+                            vtkTable* table)
+{
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto mesh = lamina::ReadGrid(input, lamina::WithoutMaterials::TakeAsOne);
+    if (!mesh)
+    {
+      return mesh.GetError();
+    }
+    lamina::TriangleComplex interfaces;
+    const bool withSurface = !lamina::IsEmpty(surface);
+    if (withSurface)
+    {
+      auto read = lamina::ReadSurface(surface, monitor);
+      if (!read)
+      {
+        return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
+      }
+      interfaces = std::move(*read);
+    }
+    const lamina::AuditOptions options{ this->QualityGate, this->VolumeTolerance, this->OverlapSamples,
+                                        this->SurfaceScale };
+    lamina::AuditMarks marks;
+    const auto report =
+      lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::MeshQuality, marks.quality);
+    lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags,
+                                              marks.flags);
+    lamina::FillTable(*report, table);
+    this->Passed = report->Passed();
+    this->ReportText = lamina::DescribeAudit(*report).Json();
+    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
+}
+
+int vtkMeshAudit::AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable* table)
+{
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
+    {
+      return surface.GetError();
+    }
+    std::vector<unsigned char> flags;
+    const auto report = lamina::AuditSurface(*surface, flags, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags, flags);
+    lamina::FillTable(*report, table);
+    this->Passed = report->Passed();
+    this->ReportText = lamina::DescribeAudit(*report).Json();
+    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
+}
+
+void vtkMeshAudit::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "QualityGate: " << this->QualityGate << "\n";
+  os << indent << "VolumeTolerance: " << this->VolumeTolerance << "\n";
+  os << indent << "OverlapSamples: " << this->OverlapSamples << "\n";
+  os << indent << "SurfaceScale: " << this->SurfaceScale << "\n";
+  os << indent << "Passed: " << this->Passed << "\n";
+}

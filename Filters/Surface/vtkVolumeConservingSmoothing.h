@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVolumeConservingSmoothing
+ * @brief   smooths a surface between materials and keeps the volume of each material
+ *
+ * Input: vtkPolyData of triangles with BoundaryLabels (from vtkMultimaterialMarchingCubes), or any closed
+ * surface of one orientation, which is taken as material 1 in background.
+ *
+ * Output: the same triangles with moved points; arrays on points and triangles pass through, but for
+ * FeatureSize, MaterialFeatureSize and TargetEdgeLength, which no longer fit. Lengths are in the unit of the
+ * input.
+ *
+ * Edge relaxation that conserves volume: A. Kuprat, A. Khamayseh, D. George and L. Larkey, Volume conserving
+ * smoothing for piecewise linear curves, surfaces, and triple lines, J. Comput. Phys. 172 (2001) 99-118,
+ * doi:10.1006/jcph.2001.6816.
+ *
+ * The volume of each material changes by less than 1e-10 of itself. No two triangles intersect afterwards,
+ * tested exactly. Points of junction curves and of border planes stay on them. The result does not depend on
+ * the number of threads.
+ *
+ * @warning Features of one or two voxels lose their edges but keep their volume: they become rounder and
+ * longer or shorter.
+ * @warning This class has been threaded with vtkSMPTools.
+ *
+ * @sa vtkMultimaterialMarchingCubes vtkFeatureSize
+ */
+#ifndef vtkVolumeConservingSmoothing_h
+#define vtkVolumeConservingSmoothing_h
+
+#include "LaminaSurfaceModule.h" // For the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class LAMINASURFACE_EXPORT vtkVolumeConservingSmoothing : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVolumeConservingSmoothing* New();
+  vtkTypeMacro(vtkVolumeConservingSmoothing, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Passes over all edges, 0 or more. Default: 20.
+   */
+  vtkSetMacro(Sweeps, int);
+  vtkGetMacro(Sweeps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The share of each move that is made, above 0 and at most 1. Default: 1.
+   */
+  vtkSetMacro(Relaxation, double);
+  vtkGetMacro(Relaxation, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a point may end from its start along its first normal, in mean edge lengths; above 0. Default:
+   * 0.75.
+   */
+  vtkSetMacro(LargestDrift, double);
+  vtkGetMacro(LargestDrift, double);
+  ///@}
+
+protected:
+  vtkVolumeConservingSmoothing() = default;
+  ~vtkVolumeConservingSmoothing() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkVolumeConservingSmoothing(const vtkVolumeConservingSmoothing&) = delete;
+  void operator=(const vtkVolumeConservingSmoothing&) = delete;
+
+  int Sweeps = 20;
+  double Relaxation = 1.0;
+  double LargestDrift = 0.75;
+};
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPrismLayer
+ * @brief   grows layers of prisms from the walls of the fluid materials of a surface
+ *
+ * Input: vtkPolyData of triangles with BoundaryLabels and, on the points, MaterialFeatureSize (double, from
+ * vtkFeatureSize), the same surface that vtkLayeredTetrahedra gets.
+ *
+ * Output, port 0: vtkUnstructuredGrid of wedges (tetrahedra and pyramids where columns had to stop: at
+ * openings and at nodes that no direction sees) with MaterialIds and LayerIds (int, 1 touches the wall) on
+ * the cells, LayerIndex (int, 0 on the wall) and InterfaceNodeIds (vtkIdType, the surface point a node is,
+ * else -1) on the points. Port 1: vtkPolyData, the closed surfaces that bound what is left, with
+ * BoundaryLabels (fluid, 0) and TargetEdgeLength. Port 2: the input surface with LayersAchieved (int) and
+ * LayerFraction (double, the share of the asked thickness) on its triangles.
+ *
+ * Points are marched inwards along directions that see all faces around them, each layer thicker than the one
+ * before by GrowthRatio, and no farther than the room in front of them allows. R. Loehner and J. Cebral,
+ * Generation of non-isotropic unstructured grids via directional enrichment, Int. J. Numer. Meth. Eng. 49
+ * (2000) 219-232.
+ *
+ * Every triangle of a fluid's wall belongs unchanged to one cell; the Jacobian of every cell is positive
+ * everywhere; the inner surface does not intersect itself, tested exactly.
+ *
+ * @warning Layers are thinner or fewer where there is little room: see LayersAchieved and LayerFraction on
+ * port 2.
+ * @warning A material named in FluidMaterials that the surface lacks is an error, but for the default list:
+ * that warns.
+ * @warning This class has been threaded with vtkSMPTools.
+ *
+ * @sa vtkFeatureSizeRefinement vtkCoreTetrahedra vtkFluidSolidMesh
+ */
+#ifndef vtkPrismLayer_h
+#define vtkPrismLayer_h
+
+#include "LaminaVolumeModule.h" // For the export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <vector> // For the list of materials
+
+class LAMINAVOLUME_EXPORT vtkPrismLayer : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkPrismLayer* New();
+  vtkTypeMacro(vtkPrismLayer, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The fluids, whose walls carry prisms. Default: 2, blood.
+   */
+  void AddFluidMaterial(int material);
+  void ClearFluidMaterials();
+  int GetNumberOfFluidMaterials() { return static_cast<int>(this->FluidMaterials.size()); }
+  int GetFluidMaterial(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Prisms on every triangle of a wall, 1 or more. Default: 5.
+   */
+  vtkSetMacro(Layers, int);
+  vtkGetMacro(Layers, int);
+  ///@}
+
+  ///@{
+  /**
+   * The height of a layer over that of the one below it, from 1 to 3. Default: 1.2.
+   */
+  vtkSetMacro(GrowthRatio, double);
+  vtkGetMacro(GrowthRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * The height of all layers together, as a share of the local feature size, above 0, at most 0.45. Default:
+   * 0.25.
+   */
+  vtkSetMacro(Thickness, double);
+  vtkGetMacro(Thickness, double);
+  ///@}
+
+protected:
+  vtkPrismLayer();
+  ~vtkPrismLayer() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkPrismLayer(const vtkPrismLayer&) = delete;
+  void operator=(const vtkPrismLayer&) = delete;
+
+  std::vector<int> FluidMaterials{ 2 };
+  int Layers = 5;
+  double GrowthRatio = 1.2;
+  double Thickness = 0.25;
+};
+
+#endif
