@@ -50,12 +50,3 @@ TEST(PrismLayer, PortsDefaultsAndNeeds)
   filter->AddFluidMaterial(1);
   ExpectError(filter, "no MaterialFeatureSize on the points: run Feature Size first");
 }
-
-TEST(CoreTetrahedra, PortsAndEmptyInput)
-{
-  vtkNew<vtkCoreTetrahedra> filter;
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
-  vtkNew<vtkPolyData> nothing;
-  filter->SetInputData(nothing);
-  ExpectFine(filter);
-}
