@@ -182,12 +182,7 @@ Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars)
   GreyImage grey{ *grid, std::vector<double>(static_cast<std::size_t>(grid->Count())) };
   for (Id v = 0; v < grid->Count(); ++v)
   {
-    const double value = scalars->GetComponent(v, 0);
-    if (!std::isfinite(value))
-    {
-      return BadVoxel(*grid, v, "a voxel's value is not a finite number");
-    }
-    grey.values[static_cast<std::size_t>(v)] = value;
+    grey.values[static_cast<std::size_t>(v)] = scalars->GetComponent(v, 0);
   }
   return grey;
 }
@@ -216,7 +211,7 @@ Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image)
   LabelImage result{ image, std::vector<int>(static_cast<std::size_t>(image.Count())) };
   for (Id v = 0; v < image.Count(); ++v)
   {
-    result.labels[static_cast<std::size_t>(v)] = (*scalars)->GetComponent(v, 0) != 0 ? 1 : 0;
+    result.labels[static_cast<std::size_t>(v)] = (*scalars)->GetComponent(v, 0) == 1 ? 1 : 0;
   }
   return result;
 }

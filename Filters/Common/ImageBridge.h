@@ -23,9 +23,10 @@ Result<vtkDataArray*> FindScalars(vtkImageData* image, const char* name, const c
 
 /// Material ids from an array of any number type: whole numbers from 0 to 65,535.
 Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars);
-/// Grey values from an array of any number type; they must be finite.
+/// Grey values from an array of any number type; NaN means that nothing is known there.
 Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars);
-/// A region of interest of the same grid as `image`: 1 where the mask's values are not 0.
+/// A region of interest of the same grid as `image`: 1 where the mask's values are 1, as other values
+/// mark regions that are of no interest.
 Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image);
 
 /// Set the geometry of a new image whose extent starts at 0.

@@ -10,6 +10,7 @@ namespace names
 // Images: points. Volume meshes: cells.
 constexpr const char* MaterialIds = "MaterialIds";
 constexpr const char* Disputed = "Disputed";
+constexpr const char* Intensity = "Intensity";
 
 // Surfaces: triangles.
 constexpr const char* BoundaryLabels = "BoundaryLabels";
@@ -43,6 +44,7 @@ constexpr const char* GlobalNodeIds = "GlobalNodeIds";
 constexpr const char* PatchNames = "PatchNames";
 constexpr const char* MaterialNames = "MaterialNames";
 constexpr const char* MaterialVolumes = "MaterialVolumes";
+constexpr const char* MaterialComponents = "MaterialComponents";
 constexpr const char* IntersectingPairs = "IntersectingPairs";
 constexpr const char* LeastClearance = "LeastClearance";
 constexpr const char* LeastAngle = "LeastAngle";

@@ -100,6 +100,15 @@ Placement Place(const HeartPhantomOptions& options)
   return placement;
 }
 
+GridGeometry GridOf(const Placement& placement, const HeartPhantomOptions& options)
+{
+  const double spacing = options.length / *std::max_element(placement.size.begin(), placement.size.end());
+  GridGeometry grid;
+  grid.size = placement.size;
+  grid.spacing = { spacing, spacing, spacing };
+  return grid;
+}
+
 /// Sample the shape over the image: labels, and the distances for partial volume (in voxels, clamped to +-1).
 void SampleShape(const HeartShape& shape, const Placement& placement, LabelImage& labels,
                  PartialVolume& partial, Monitor& monitor)
@@ -209,6 +218,16 @@ Result<HeartPhantomReport> CountMaterials(const LabelImage& labels, int bloodCom
 
 } // namespace
 
+Result<GridGeometry> HeartPhantomGrid(const HeartPhantomOptions& options)
+{
+  const Result<bool> good = Check(options);
+  if (!good)
+  {
+    return good.GetError();
+  }
+  return GridOf(Place(options), options);
+}
+
 Result<HeartPhantomReport> MakeHeartPhantom(GreyImage& grey, LabelImage& labels,
                                             const HeartPhantomOptions& options, Monitor& monitor)
 {
@@ -220,10 +239,7 @@ Result<HeartPhantomReport> MakeHeartPhantom(GreyImage& grey, LabelImage& labels,
   monitor.Progress(0.0, "placing the heart");
   const Placement placement = Place(options);
   const HeartShape shape(placement.voxel, placement.level, options.open);
-  const double spacing = options.length / *std::max_element(placement.size.begin(), placement.size.end());
-  labels.grid = GridGeometry{};
-  labels.grid.size = placement.size;
-  labels.grid.spacing = { spacing, spacing, spacing };
+  labels.grid = GridOf(placement, options);
   labels.labels.assign(labels.grid.Count(), 0);
   PartialVolume partial(labels.grid.Count());
   monitor.Progress(0.1, "sampling the heart");

@@ -36,6 +36,9 @@ struct HeartPhantomReport
   Id mendedVoxels = 0; ///< made tissue because materials met in an edge or a corner only
 };
 
+/// The grid that the image of these options will have.
+Result<GridGeometry> HeartPhantomGrid(const HeartPhantomOptions& options);
+
 /// Make the grey image and its true labels (0 background, 1 tissue, 2 blood). The true labels are well
 /// separated: blood never touches background, and no material meets itself in an edge or a corner only. The
 /// same options give the same image, whatever the number of threads.

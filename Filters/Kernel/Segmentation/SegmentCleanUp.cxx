@@ -111,11 +111,11 @@ Id NumberSmall(const Work& work, const IslandLimits& limits, const ComponentMap&
     // Background at the image's border is part of the background around the image: only specks of it are
     // filled.
     const bool borderland = component.label == Background && atBorder[c];
-    if (component.label < 0 || (borderland && component.voxels >= work.options.minimumVoxels))
+    const bool isLargest = component.label >= 0 && largest[component.label] == static_cast<Id>(c);
+    if (component.label < 0 || (borderland && (isLargest || component.voxels >= work.options.minimumVoxels)))
     {
       continue;
     }
-    const bool isLargest = largest[component.label] == static_cast<Id>(c);
     const bool alone = work.options.largestOnly && (!isLargest || component.label == Background);
     if (alone || component.voxels < limits.least[component.label])
     {
