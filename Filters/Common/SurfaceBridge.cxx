@@ -5,6 +5,8 @@
 #include "MeshArrayNames.h"
 #include "PlainSurface.h"
 
+#include "Mesh/Closedness.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -201,7 +203,7 @@ void WritePatchNames(const TriangleComplex& surface, vtkPolyData* output)
 
 } // namespace
 
-Result<TriangleComplex> ReadSurface(vtkPolyData* input)
+Result<TriangleComplex> ReadSurface(vtkPolyData* input, Monitor& monitor)
 {
   TriangleComplex surface;
   auto status = CheckCells(input);
@@ -212,7 +214,8 @@ Result<TriangleComplex> ReadSurface(vtkPolyData* input)
                                          input->GetNumberOfCells(), 2, "triangles"),
                          labels)
                   : status;
-  status = status ? (labels.empty() ? LabelPlainSurface(surface) : TakeLabels(labels, surface)) : status;
+  status =
+    status ? (labels.empty() ? LabelPlainSurface(surface, monitor) : TakeLabels(labels, surface)) : status;
   status = status ? ReadPatches(input, surface) : status;
   status = status ? ReadPointArrays(input, surface) : status;
   if (!status)
@@ -286,26 +289,6 @@ Status RequireThickness(const TriangleComplex& surface)
     return MissingArray(names::MaterialFeatureSize, "points", "Feature Size");
   }
   return Done{};
-}
-
-std::vector<int> MaterialsOf(const TriangleComplex& surface)
-{
-  std::vector<int> ids;
-  int lastFirst = 0;
-  int lastSecond = 0;
-  for (const MaterialPair& pair : surface.materials)
-  {
-    if (pair.first != lastFirst || pair.second != lastSecond)
-    {
-      ids.insert(ids.end(), { pair.first, pair.second });
-      lastFirst = pair.first;
-      lastSecond = pair.second;
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  ids.erase(std::remove(ids.begin(), ids.end(), 0), ids.end());
-  return ids;
 }
 
 } // namespace lamina

@@ -4,6 +4,7 @@
 
 #include "Stage.h"
 
+#include "Base/Monitor.h"
 #include "Mesh/TriangleComplex.h"
 
 class vtkPolyData;
@@ -14,7 +15,7 @@ namespace lamina
 /// Read points, triangles and every array of the contract that is there. Cells other than triangles are
 /// refused. Without BoundaryLabels, a closed surface is taken as material 1 inside and background outside
 /// (PlainSurface.h).
-Result<TriangleComplex> ReadSurface(vtkPolyData* input);
+Result<TriangleComplex> ReadSurface(vtkPolyData* input, Monitor& monitor);
 
 /// Give `output` the surface's points and triangles, its arrays, and take away arrays of the contract it does
 /// not have. Other arrays of `output` stay: fill it by ShallowCopy from the input first if they still fit.
@@ -27,8 +28,5 @@ void WriteLayers(const std::vector<int>& achieved, const std::vector<double>& fr
 Status RequireTargetEdgeLength(const TriangleComplex& surface);
 /// A failure if the surface has no MaterialFeatureSize: the message names the filter that makes it.
 Status RequireThickness(const TriangleComplex& surface);
-
-/// The materials of the surface in ascending order, background apart.
-std::vector<int> MaterialsOf(const TriangleComplex& surface);
 
 } // namespace lamina

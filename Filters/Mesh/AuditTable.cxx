@@ -60,7 +60,8 @@ Figures FiguresOf(const SurfaceAuditReport& r)
            { "triangles", n(r.triangles) },
            { "flatTriangles", n(r.flatTriangles) },
            { "duplicatePoints", n(r.duplicatePoints) },
-           { "unusedPoints", n(r.unusedPoints) } };
+           { "unusedPoints", n(r.unusedPoints) },
+           { "intersectingPairs", n(r.intersectingPairs) } };
 }
 
 Figures FiguresOf(const MaterialSurfaceAudit& m)

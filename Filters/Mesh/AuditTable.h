@@ -5,7 +5,7 @@
 #include "Report.h"
 
 #include "Mesh/Audit.h"
-#include "Mesh/AuditSurface.h"
+#include "Surface/AuditSurface.h"
 
 class vtkTable;
 

@@ -11,7 +11,7 @@
 #include "SurfaceBridge.h"
 
 #include "Mesh/Audit.h"
-#include "Mesh/AuditSurface.h"
+#include "Surface/AuditSurface.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -92,72 +92,70 @@ int vtkMeshAudit::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
 int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkDataSet* output,
                             vtkTable* table)
 {
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto mesh = lamina::ReadGrid(input, lamina::WithoutMaterials::TakeAsOne);
+    if (!mesh)
     {
-      const auto mesh = lamina::ReadGrid(input, lamina::WithoutMaterials::TakeAsOne);
-      if (!mesh)
+      return mesh.GetError();
+    }
+    lamina::TriangleComplex interfaces;
+    const bool withSurface = !lamina::IsEmpty(surface);
+    if (withSurface)
+    {
+      auto read = lamina::ReadSurface(surface, monitor);
+      if (!read)
       {
-        return mesh.GetError();
+        return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
       }
-      lamina::TriangleComplex interfaces;
-      const bool withSurface = !lamina::IsEmpty(surface);
-      if (withSurface)
-      {
-        auto read = lamina::ReadSurface(surface);
-        if (!read)
-        {
-          return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
-        }
-        interfaces = std::move(*read);
-      }
-      const lamina::AuditOptions options{ this->QualityGate, this->VolumeTolerance, this->OverlapSamples,
-                                          this->SurfaceScale };
-      lamina::AuditMarks marks;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report =
-        lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::MeshQuality, marks.quality);
-      lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags,
-                                                marks.flags);
-      lamina::FillTable(*report, table);
-      this->Passed = report->Passed();
-      this->ReportText = lamina::DescribeAudit(*report).Json();
-      lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
-      return lamina::Done{};
-    });
+      interfaces = std::move(*read);
+    }
+    const lamina::AuditOptions options{ this->QualityGate, this->VolumeTolerance, this->OverlapSamples,
+                                        this->SurfaceScale };
+    lamina::AuditMarks marks;
+    const auto report =
+      lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::MeshQuality, marks.quality);
+    lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags,
+                                              marks.flags);
+    lamina::FillTable(*report, table);
+    this->Passed = report->Passed();
+    this->ReportText = lamina::DescribeAudit(*report).Json();
+    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 int vtkMeshAudit::AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable* table)
 {
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            const auto surface = lamina::ReadSurface(input);
-                            if (!surface)
-                            {
-                              return surface.GetError();
-                            }
-                            std::vector<unsigned char> flags;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::AuditSurface(*surface, flags, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(),
-                                                                      lamina::names::MeshingFlags, flags);
-                            lamina::FillTable(*report, table);
-                            this->Passed = report->Passed();
-                            this->ReportText = lamina::DescribeAudit(*report).Json();
-                            lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
-                            return lamina::Done{};
-                          });
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
+    {
+      return surface.GetError();
+    }
+    std::vector<unsigned char> flags;
+    const auto report = lamina::AuditSurface(*surface, flags, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags, flags);
+    lamina::FillTable(*report, table);
+    this->Passed = report->Passed();
+    this->ReportText = lamina::DescribeAudit(*report).Json();
+    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkMeshAudit::PrintSelf(ostream& os, vtkIndent indent)

@@ -15,12 +15,13 @@
  *
  * Grids: conformity of faces, orientation by exact predicates and Bernstein coefficients, overlap by random
  * sample points of a fixed seed, volumes of the isoparametric cells against those enclosed, quality.
- * Surfaces: closed, manifold orientation of each material, points used once, triangles with an area.
+ * Surfaces: closed, manifold orientation of each material, no intersections (exact), points used once,
+ * triangles with an area.
  *
  * The result does not depend on the number of threads. An audit that finds something wrong still succeeds:
  * see GetPassed.
  *
- * @warning Overlap is sampled, not proven; intersections of a surface with itself are not tested yet.
+ * @warning Overlap of cells is sampled, not proven.
  * @warning This class has been threaded with vtkSMPTools.
  *
  * @sa vtkFluidSolidMesh

@@ -40,32 +40,32 @@ int vtkFeatureSize::RequestData(vtkInformation*, vtkInformationVector** inputs, 
   {
     return 1;
   }
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            auto surface = lamina::ReadSurface(input);
-                            if (!surface)
-                            {
-                              return surface.GetError();
-                            }
-                            lamina::FeatureSizeOptions options;
-                            options.minimum = this->MinimumSize;
-                            options.maximum = this->MaximumSize;
-                            options.gradient = this->Gradient;
-                            options.layers = this->Layers;
-                            options.anisotropy = this->Anisotropy;
-                            options.coneAngle = this->ConeAngle;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::ComputeFeatureSize(*surface, options, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            output->ShallowCopy(input);
-                            lamina::WriteSurface(*surface, output);
-                            lamina::AttachReport(output, "FeatureSize", Describe(*report));
-                            return lamina::Done{};
-                          });
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
+    {
+      return surface.GetError();
+    }
+    lamina::FeatureSizeOptions options;
+    options.minimum = this->MinimumSize;
+    options.maximum = this->MaximumSize;
+    options.gradient = this->Gradient;
+    options.layers = this->Layers;
+    options.anisotropy = this->Anisotropy;
+    options.coneAngle = this->ConeAngle;
+    const auto report = lamina::ComputeFeatureSize(*surface, options, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    output->ShallowCopy(input);
+    lamina::WriteSurface(*surface, output);
+    lamina::AttachReport(output, "FeatureSize", Describe(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkFeatureSize::PrintSelf(ostream& os, vtkIndent indent)

@@ -43,33 +43,33 @@ int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector*
   {
     return 1;
   }
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            auto surface = lamina::ReadSurface(input);
-                            if (!surface)
-                            {
-                              return surface.GetError();
-                            }
-                            if (const auto sized = lamina::RequireTargetEdgeLength(*surface); !sized)
-                            {
-                              return sized;
-                            }
-                            lamina::RefineSurfaceOptions options;
-                            options.iterations = this->Iterations;
-                            options.splitRatio = this->SplitRatio;
-                            options.mergeRatio = this->MergeRatio;
-                            options.tolerance = this->Tolerance;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::RefineSurface(*surface, options, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            lamina::WriteSurface(*surface, output);
-                            lamina::AttachReport(output, "SurfaceRefinement", Describe(*report));
-                            return lamina::Done{};
-                          });
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
+    {
+      return surface.GetError();
+    }
+    if (const auto sized = lamina::RequireTargetEdgeLength(*surface); !sized)
+    {
+      return sized;
+    }
+    lamina::RefineSurfaceOptions options;
+    options.iterations = this->Iterations;
+    options.splitRatio = this->SplitRatio;
+    options.mergeRatio = this->MergeRatio;
+    options.tolerance = this->Tolerance;
+    const auto report = lamina::RefineSurface(*surface, options, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::WriteSurface(*surface, output);
+    lamina::AttachReport(output, "SurfaceRefinement", Describe(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkFeatureSizeRefinement::PrintSelf(ostream& os, vtkIndent indent)

@@ -113,60 +113,57 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
   {
     return 1;
   }
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto scalars = lamina::FindScalars(input, lamina::names::MaterialIds, "Multimaterial Segmentation");
+    if (!scalars)
     {
-      const auto scalars =
-        lamina::FindScalars(input, lamina::names::MaterialIds, "Multimaterial Segmentation");
-      if (!scalars)
+      return scalars.GetError();
+    }
+    const auto image = lamina::ReadLabels(input, *scalars);
+    if (!image)
+    {
+      return image.GetError();
+    }
+    lamina::ExtractInterfacesOptions options;
+    options.openAtImageBorder = this->OpenAtImageBorder;
+    options.openAtMaskBorder = this->OpenAtMaskBorder;
+    lamina::LabelImage mask;
+    if (this->OpenAtImageBorder || this->OpenAtMaskBorder)
+    {
+      options.openMaterials = this->OpenMaterials;
+      const auto known = lamina::CheckMaterials(options.openMaterials, MaterialsIn(*image), "OpenMaterials");
+      if (!known)
       {
-        return scalars.GetError();
+        return known;
       }
-      const auto image = lamina::ReadLabels(input, *scalars);
-      if (!image)
+    }
+    if (this->OpenAtMaskBorder)
+    {
+      if (!maskInput)
       {
-        return image.GetError();
+        return lamina::InvalidInput("OpenAtMaskBorder needs a region of interest on input port 1 (Mask)");
       }
-      lamina::ExtractInterfacesOptions options;
-      options.openAtImageBorder = this->OpenAtImageBorder;
-      options.openAtMaskBorder = this->OpenAtMaskBorder;
-      lamina::LabelImage mask;
-      if (this->OpenAtImageBorder || this->OpenAtMaskBorder)
+      auto read = lamina::ReadMask(maskInput, image->grid);
+      if (!read)
       {
-        options.openMaterials = this->OpenMaterials;
-        const auto known =
-          lamina::CheckMaterials(options.openMaterials, MaterialsIn(*image), "OpenMaterials");
-        if (!known)
-        {
-          return known;
-        }
+        return read.GetError();
       }
-      if (this->OpenAtMaskBorder)
-      {
-        if (!maskInput)
-        {
-          return lamina::InvalidInput("OpenAtMaskBorder needs a region of interest on input port 1 (Mask)");
-        }
-        auto read = lamina::ReadMask(maskInput, image->grid);
-        if (!read)
-        {
-          return read.GetError();
-        }
-        mask = std::move(*read);
-        options.mask = &mask;
-      }
-      lamina::TriangleComplex surface;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::ExtractInterfaces(*image, surface, options, monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      lamina::WriteSurface(surface, output);
-      lamina::AttachReport(output, "MultimaterialMarchingCubes", Describe(*report));
-      return lamina::Done{};
-    });
+      mask = std::move(*read);
+      options.mask = &mask;
+    }
+    lamina::TriangleComplex surface;
+    const auto report = lamina::ExtractInterfaces(*image, surface, options, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::WriteSurface(surface, output);
+    lamina::AttachReport(output, "MultimaterialMarchingCubes", Describe(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkMultimaterialMarchingCubes::PrintSelf(ostream& os, vtkIndent indent)

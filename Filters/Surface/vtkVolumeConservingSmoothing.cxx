@@ -41,32 +41,32 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
   {
     return 1;
   }
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            auto surface = lamina::ReadSurface(input);
-                            if (!surface)
-                            {
-                              return surface.GetError();
-                            }
-                            lamina::SmoothSurfaceOptions options;
-                            options.sweeps = this->Sweeps;
-                            options.relaxation = this->Relaxation;
-                            options.largestDrift = this->LargestDrift;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::SmoothSurface(*surface, options, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            surface->featureSize.clear();
-                            surface->targetEdgeLength.clear();
-                            surface->thickness.clear();
-                            output->ShallowCopy(input);
-                            lamina::WriteSurface(*surface, output);
-                            lamina::AttachReport(output, "VolumeConservingSmoothing", Describe(*report));
-                            return lamina::Done{};
-                          });
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
+    {
+      return surface.GetError();
+    }
+    lamina::SmoothSurfaceOptions options;
+    options.sweeps = this->Sweeps;
+    options.relaxation = this->Relaxation;
+    options.largestDrift = this->LargestDrift;
+    const auto report = lamina::SmoothSurface(*surface, options, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    surface->featureSize.clear();
+    surface->targetEdgeLength.clear();
+    surface->thickness.clear();
+    output->ShallowCopy(input);
+    lamina::WriteSurface(*surface, output);
+    lamina::AttachReport(output, "VolumeConservingSmoothing", Describe(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkVolumeConservingSmoothing::PrintSelf(ostream& os, vtkIndent indent)

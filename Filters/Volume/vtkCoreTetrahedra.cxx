@@ -79,30 +79,29 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
     return 1;
   }
   lamina::TriangleComplex refused;
-  const int result = lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
     {
-      const auto surface = lamina::ReadSurface(input);
-      if (!surface)
-      {
-        return surface.GetError();
-      }
-      const lamina::CoreTetsOptions options{ lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio,
-                                             this->SizeFactor, this->MaximumEdge };
-      lamina::VolumeMesh mesh;
-      lamina::CoreTetsReport onFailure;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::MeshCoreTets(*surface, {}, options, mesh, monitor, &onFailure);
-      if (!report)
-      {
-        refused = Extract(*surface, onFailure.offendingTriangles);
-        return report.GetError();
-      }
-      lamina::WriteGrid(mesh, tets);
-      lamina::AttachReport(tets, "CoreTetrahedra", Describe(*report));
-      return lamina::Done{};
-    });
+      return surface.GetError();
+    }
+    const lamina::CoreTetsOptions options{ lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio,
+                                           this->SizeFactor, this->MaximumEdge };
+    lamina::VolumeMesh mesh;
+    lamina::CoreTetsReport onFailure;
+    const auto report = lamina::MeshCoreTets(*surface, {}, options, mesh, monitor, &onFailure);
+    if (!report)
+    {
+      refused = Extract(*surface, onFailure.offendingTriangles);
+      return report.GetError();
+    }
+    lamina::WriteGrid(mesh, tets);
+    lamina::AttachReport(tets, "CoreTetrahedra", Describe(*report));
+    return lamina::Done{};
+  };
+  const int result = lamina::RunStage(this, work);
   if (!refused.triangles.empty())
   {
     lamina::WriteSurface(refused, offending);

@@ -55,50 +55,49 @@ int vtkFluidSolidMesh::RequestData(vtkInformation*, vtkInformationVector** input
                                    vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            std::vector<lamina::VolumeMesh> parts;
-                            for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
-                            {
-                              vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0], i);
-                              if (lamina::IsEmpty(input))
-                              {
-                                continue;
-                              }
-                              auto part = lamina::ReadGrid(input);
-                              if (!part)
-                              {
-                                return lamina::InvalidInput("part " + std::to_string(i + 1) + ": " +
-                                                            part.GetError().message);
-                              }
-                              parts.push_back(std::move(*part));
-                              KeepFieldData(input, output);
-                            }
-                            if (!(this->Scale > 0))
-                            {
-                              return lamina::InvalidOption("Scale must be above 0");
-                            }
-                            if (parts.empty())
-                            {
-                              return lamina::Done{};
-                            }
-                            std::vector<const lamina::VolumeMesh*> list;
-                            for (const lamina::VolumeMesh& part : parts)
-                            {
-                              list.push_back(&part);
-                            }
-                            lamina::VolumeMesh mesh;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::AssembleMesh(list, { this->Scale }, mesh, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            lamina::WriteGrid(mesh, output);
-                            lamina::AttachReport(output, "FluidSolidMesh", Describe(*report));
-                            return lamina::Done{};
-                          });
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    std::vector<lamina::VolumeMesh> parts;
+    for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0], i);
+      if (lamina::IsEmpty(input))
+      {
+        continue;
+      }
+      auto part = lamina::ReadGrid(input);
+      if (!part)
+      {
+        return lamina::InvalidInput("part " + std::to_string(i + 1) + ": " + part.GetError().message);
+      }
+      parts.push_back(std::move(*part));
+      KeepFieldData(input, output);
+    }
+    if (!(this->Scale > 0))
+    {
+      return lamina::InvalidOption("Scale must be above 0");
+    }
+    if (parts.empty())
+    {
+      return lamina::Done{};
+    }
+    std::vector<const lamina::VolumeMesh*> list;
+    for (const lamina::VolumeMesh& part : parts)
+    {
+      list.push_back(&part);
+    }
+    lamina::VolumeMesh mesh;
+    const auto report = lamina::AssembleMesh(list, { this->Scale }, mesh, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::WriteGrid(mesh, output);
+    lamina::AttachReport(output, "FluidSolidMesh", Describe(*report));
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkFluidSolidMesh::PrintSelf(ostream& os, vtkIndent indent)

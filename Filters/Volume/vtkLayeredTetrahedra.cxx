@@ -9,6 +9,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Mesh/Adjacency.h"
 #include "Volume/LayeredTets.h"
 
 #include "vtkInformation.h"
@@ -84,54 +85,53 @@ int vtkLayeredTetrahedra::RequestData(vtkInformation*, vtkInformationVector** in
   {
     return 1;
   }
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
     {
-      const auto surface = lamina::ReadSurface(input);
-      if (!surface)
-      {
-        return surface.GetError();
-      }
-      const std::vector<int> present = lamina::MaterialsOf(*surface);
-      if (const auto known = lamina::CheckMaterials(this->SolidMaterials, present, "SolidMaterials"); !known)
-      {
-        return known;
-      }
-      lamina::LayeredTetsOptions options;
-      options.materials =
-        this->SolidMaterials.empty() ? lamina::Without(present, this->FluidMaterials) : this->SolidMaterials;
-      options.layers = this->Layers;
-      options.anisotropy = this->Anisotropy;
-      options.growth = this->Growth;
-      options.core = { lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio, this->SizeFactor,
-                       this->MaximumEdge };
-      walls->ShallowCopy(input);
-      lamina::WriteSurface(*surface, walls);
-      if (options.materials.empty())
-      {
-        vtkWarningMacro("no solid among the materials " << lamina::Listed(present)
-                                                        << ": this part of the mesh is empty");
-        return lamina::Done{};
-      }
-      if (const auto sized = lamina::RequireThickness(*surface); !sized)
-      {
-        return sized;
-      }
-      lamina::VolumeMesh mesh;
-      lamina::LayersOnSurface layers;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::MeshLayeredTets(*surface, options, mesh, layers, monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      lamina::WriteGrid(mesh, tets);
-      lamina::WriteLayers(layers.achieved, layers.fraction, walls);
-      lamina::AttachReport(tets, "LayeredTetrahedra", lamina::DescribeLayers(*report));
-      lamina::WarnOfStoppedColumns(this, *report);
+      return surface.GetError();
+    }
+    const std::vector<int> present = lamina::MaterialsOf(*surface);
+    if (const auto known = lamina::CheckMaterials(this->SolidMaterials, present, "SolidMaterials"); !known)
+    {
+      return known;
+    }
+    lamina::LayeredTetsOptions options;
+    options.materials =
+      this->SolidMaterials.empty() ? lamina::Without(present, this->FluidMaterials) : this->SolidMaterials;
+    options.layers = this->Layers;
+    options.anisotropy = this->Anisotropy;
+    options.growth = this->Growth;
+    options.core = { lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio, this->SizeFactor,
+                     this->MaximumEdge };
+    walls->ShallowCopy(input);
+    lamina::WriteSurface(*surface, walls);
+    if (options.materials.empty())
+    {
+      vtkWarningMacro("no solid among the materials " << lamina::Listed(present)
+                                                      << ": this part of the mesh is empty");
       return lamina::Done{};
-    });
+    }
+    if (const auto sized = lamina::RequireThickness(*surface); !sized)
+    {
+      return sized;
+    }
+    lamina::VolumeMesh mesh;
+    lamina::LayersOnSurface layers;
+    const auto report = lamina::MeshLayeredTets(*surface, options, mesh, layers, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::WriteGrid(mesh, tets);
+    lamina::WriteLayers(layers.achieved, layers.fraction, walls);
+    lamina::AttachReport(tets, "LayeredTetrahedra", lamina::DescribeLayers(*report));
+    lamina::WarnOfStoppedColumns(this, *report);
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkLayeredTetrahedra::PrintSelf(ostream& os, vtkIndent indent)

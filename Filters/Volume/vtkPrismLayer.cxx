@@ -8,6 +8,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Mesh/Adjacency.h"
 #include "Volume/PrismLayers.h"
 
 #include "vtkInformation.h"
@@ -63,52 +64,51 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   {
     return 1;
   }
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
+  lamina::AlgorithmMonitor monitor(this);
+  const auto work = [&]() -> lamina::Status
+  {
+    const auto surface = lamina::ReadSurface(input, monitor);
+    if (!surface)
     {
-      const auto surface = lamina::ReadSurface(input);
-      if (!surface)
-      {
-        return surface.GetError();
-      }
-      const std::vector<int> present = lamina::MaterialsOf(*surface);
-      const auto known = lamina::CheckMaterials(this->FluidMaterials, present, "FluidMaterials");
-      const bool asDefault = this->FluidMaterials == std::vector<int>{ 2 };
-      if (!known && !asDefault)
-      {
-        return known;
-      }
-      walls->ShallowCopy(input);
-      lamina::WriteSurface(*surface, walls);
-      if (!known || this->FluidMaterials.empty())
-      {
-        vtkWarningMacro("no fluid among the materials " << lamina::Listed(present)
-                                                        << ": this part of the mesh is empty");
-        return lamina::Done{};
-      }
-      if (const auto sized = lamina::RequireThickness(*surface); !sized)
-      {
-        return sized;
-      }
-      const lamina::PrismLayersOptions options{ this->FluidMaterials, this->Layers, this->GrowthRatio,
-                                                this->Thickness };
-      lamina::VolumeMesh mesh;
-      lamina::TriangleComplex front;
-      lamina::LayersOnSurface layers;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::GrowPrismLayers(*surface, options, mesh, front, layers, monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      lamina::WriteGrid(mesh, prisms);
-      lamina::WriteSurface(front, inner);
-      lamina::WriteLayers(layers.achieved, layers.fraction, walls);
-      lamina::AttachReport(prisms, "PrismLayer", lamina::DescribeLayers(*report));
-      lamina::WarnOfStoppedColumns(this, *report);
+      return surface.GetError();
+    }
+    const std::vector<int> present = lamina::MaterialsOf(*surface);
+    const auto known = lamina::CheckMaterials(this->FluidMaterials, present, "FluidMaterials");
+    const bool asDefault = this->FluidMaterials == std::vector<int>{ 2 };
+    if (!known && !asDefault)
+    {
+      return known;
+    }
+    walls->ShallowCopy(input);
+    lamina::WriteSurface(*surface, walls);
+    if (!known || this->FluidMaterials.empty())
+    {
+      vtkWarningMacro("no fluid among the materials " << lamina::Listed(present)
+                                                      << ": this part of the mesh is empty");
       return lamina::Done{};
-    });
+    }
+    if (const auto sized = lamina::RequireThickness(*surface); !sized)
+    {
+      return sized;
+    }
+    const lamina::PrismLayersOptions options{ this->FluidMaterials, this->Layers, this->GrowthRatio,
+                                              this->Thickness };
+    lamina::VolumeMesh mesh;
+    lamina::TriangleComplex front;
+    lamina::LayersOnSurface layers;
+    const auto report = lamina::GrowPrismLayers(*surface, options, mesh, front, layers, monitor);
+    if (!report)
+    {
+      return report.GetError();
+    }
+    lamina::WriteGrid(mesh, prisms);
+    lamina::WriteSurface(front, inner);
+    lamina::WriteLayers(layers.achieved, layers.fraction, walls);
+    lamina::AttachReport(prisms, "PrismLayer", lamina::DescribeLayers(*report));
+    lamina::WarnOfStoppedColumns(this, *report);
+    return lamina::Done{};
+  };
+  return lamina::RunStage(this, work);
 }
 
 void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)

@@ -33,14 +33,14 @@ struct MaterialAudit
   Id tets = 0;
   Id wedges = 0;
   Id pyramids = 0;
-  Id components = 0;           ///< pieces connected through faces
+  Id components = 0; ///< pieces connected through faces
   double meshVolume = 0;
-  double surfaceVolume = 0;    ///< NaN without a surface
-  double tetQualityMin = 1;    ///< 3r/R
-  double tetQualityP1 = 1;     ///< percentiles 1 and 50
+  double surfaceVolume = 0; ///< NaN without a surface
+  double tetQualityMin = 1; ///< 3r/R
+  double tetQualityP1 = 1;  ///< percentiles 1 and 50
   double tetQualityP50 = 1;
-  double tetAboveGate = 1;     ///< share of tets above the gate
-  double wedgeQualityMin = 1;  ///< scaled aspect ratio
+  double tetAboveGate = 1;    ///< share of tets above the gate
+  double wedgeQualityMin = 1; ///< scaled aspect ratio
   double wedgeQualityP1 = 1;
   double wedgeQualityP50 = 1;
 };
@@ -50,14 +50,18 @@ struct AuditReport
   Id points = 0;
   Id cells = 0;
   Id invertedCells = 0;
-  Id facesOfManyCells = 0;     ///< interior faces shared by more than two cells
-  Id mismatchedFaces = 0;      ///< quads that meet triangles
+  Id facesOfManyCells = 0; ///< interior faces shared by more than two cells
+  Id mismatchedFaces = 0;  ///< quads that meet triangles
   Id duplicatePoints = 0;
   Id unusedPoints = 0;
-  Id openFaces = 0;            ///< boundary faces that are not triangles of the surface (needs the surface)
-  Id interfaceTriangles = 0;
-  Id interfaceMismatches = 0;  ///< surface triangles between meshed materials without exactly one cell on each side
-  Id overlaps = 0;             ///< sample points in more than one cell, or in none where the surface says inside
+  Id openFaces = 0; ///< boundary faces that are not triangles of the surface (needs the surface)
+  Id strayInterfaces =
+    0; ///< faces between two materials that are not triangles of the surface (needs the surface)
+  Id interfaceTriangles = 0; ///< surface triangles between meshed materials
+  Id interfaceMismatches =
+    0;                   ///< surface triangles between meshed materials without exactly one cell on each side
+  Id wallMismatches = 0; ///< surface triangles on one meshed material without exactly one cell, on its side
+  Id overlaps = 0;       ///< sample points in more than one cell, or in none where the surface says inside
   double largestVolumeError = 0; ///< relative
   std::vector<MaterialAudit> materials;
   std::vector<std::string> findings; ///< a sentence for each thing wrong, with the first places
@@ -72,7 +76,7 @@ struct AuditMarks
 };
 
 /// Audit `mesh`; with `surface` (may be null) also interfaces and enclosed volumes.
-Result<AuditReport> AuditMesh(const VolumeMesh& mesh, const TriangleComplex* surface, const AuditOptions& options,
-  AuditMarks& marks, Monitor& monitor);
+Result<AuditReport> AuditMesh(const VolumeMesh& mesh, const TriangleComplex* surface,
+                              const AuditOptions& options, AuditMarks& marks, Monitor& monitor);
 
 } // namespace lamina

@@ -62,17 +62,28 @@ double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<
 std::vector<double> PointClearances(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, double cutoff, Monitor& monitor)
 {
+  return PointClearances(points, triangles, std::vector<double>(points.size(), cutoff), monitor);
+}
+
+std::vector<double> PointClearances(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+  const std::vector<double>& cutoffs, Monitor& monitor)
+{
   const TriangleTree tree(points, triangles);
   const auto corners = [&](Id t) {
     const Triangle& c = triangles[static_cast<std::size_t>(t)];
     return std::array<Vec3, 3>{ { points[static_cast<std::size_t>(c[0])], points[static_cast<std::size_t>(c[1])],
       points[static_cast<std::size_t>(c[2])] } };
   };
-  std::vector<double> ofTriangle(triangles.size(), cutoff);
+  std::vector<double> ofTriangle(triangles.size());
   monitor.For(static_cast<Id>(triangles.size()), 512, [&](Id begin, Id end) {
     for (Id t = begin; t < end; ++t)
     {
       const std::array<Vec3, 3> own = corners(t);
+      double cutoff = 0;
+      for (Id p : triangles[static_cast<std::size_t>(t)])
+      {
+        cutoff = std::max(cutoff, cutoffs[static_cast<std::size_t>(p)]);
+      }
       Box box;
       for (const Vec3& p : own)
       {
@@ -104,7 +115,7 @@ std::vector<double> PointClearances(
       ofTriangle[static_cast<std::size_t>(t)] = std::sqrt(best2);
     }
   });
-  std::vector<double> ofPoint(points.size(), cutoff);
+  std::vector<double> ofPoint = cutoffs;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (Id p : triangles[t])

@@ -122,6 +122,39 @@ bool SolveTranslation(const Vec3* g, const double* r, int count, const Freedom& 
   return true;
 }
 
+/// The common case, a sheet between two materials: one condition, and the triangles' own orientation will do.
+bool TranslateOnSheet(const SmoothingState& s, Id a, Id b, const Vec3& da, const Vec3& db, Vec3& c)
+{
+  const auto& x = s.surface.points;
+  const Vec3 origin = x[static_cast<std::size_t>(a)];
+  Vec3 areaA;
+  Vec3 areaB;
+  Vec3 both;
+  for (Id t : Row(s.star, a))
+  {
+    const Triangle& tri = s.surface.triangles[static_cast<std::size_t>(t)];
+    const std::size_t at = tri[0] == a ? 0 : (tri[1] == a ? 1 : 2);
+    const Vec3 q = x[static_cast<std::size_t>(tri[(at + 1) % 3])] - origin;
+    const Vec3 r = x[static_cast<std::size_t>(tri[(at + 2) % 3])] - origin;
+    areaA += Cross(q, r);
+    both += tri[(at + 1) % 3] == b ? r : (tri[(at + 2) % 3] == b ? -q : Vec3{});
+  }
+  for (Id t : Row(s.star, b))
+  {
+    const Triangle& tri = s.surface.triangles[static_cast<std::size_t>(t)];
+    const std::size_t at = tri[0] == b ? 0 : (tri[1] == b ? 1 : 2);
+    areaB += Cross(x[static_cast<std::size_t>(tri[(at + 1) % 3])] - origin, x[static_cast<std::size_t>(tri[(at + 2) % 3])] - origin);
+  }
+  const Vec3 gradient = areaA + areaB + Cross(both, da - db);
+  const double g2 = Norm2(gradient);
+  if (g2 <= 1e-24 * (Norm2(areaA) + Norm2(areaB)))
+  {
+    return false;
+  }
+  c = (-(Dot(da, areaA) + Dot(db, areaB) + Dot(da, Cross(db, both))) / g2) * gradient;
+  return true;
+}
+
 Vec3 RingSum(const SmoothingState& s, Id p, Id except, int& count)
 {
   Vec3 sum;
@@ -184,6 +217,18 @@ bool RelaxEdge(const SmoothingState& s, Id a, Id b, double weight, Relaxation& r
   LaplacianMoves(s, a, b, da, db);
   da = freedom.Project(weight * da);
   db = freedom.Project(weight * db);
+  const unsigned char sheet = JunctionSheet;
+  if (b >= 0 && s.surface.junctionKind[static_cast<std::size_t>(a)] == sheet &&
+    s.surface.junctionKind[static_cast<std::size_t>(b)] == sheet)
+  {
+    Vec3 c;
+    if (!TranslateOnSheet(s, a, b, da, db, c))
+    {
+      return false;
+    }
+    relaxation = { a, b, da + c, db + c };
+    return true;
+  }
   Gradients gradients;
   if (!AddStar(s, a, b, origin, true, gradients) || (b >= 0 && !AddStar(s, b, a, origin, false, gradients)))
   {

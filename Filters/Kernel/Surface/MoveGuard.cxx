@@ -9,7 +9,8 @@ namespace lamina
 namespace
 {
 
-constexpr double leastTurnCosine = 0.3;  ///< between a triangle's normal now and at the phase's start
+constexpr double leastTurnCosine = 0.82; ///< between a triangle's normal now and at the phase's start: 35 degrees
+constexpr double wideOpening = -0.5;     ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
 constexpr double leastShape = 0.08;      ///< twice the area over the longest edge squared
 constexpr double flattestFold = -0.7;    ///< cosine between neighbours' directions: no dihedral below about 45 degrees
 
@@ -44,6 +45,36 @@ void MoveGuard::StartPhase(std::vector<double> radii)
   {
     this->AnchorNormal.push_back(Normalized(AreaVector2(this->Anchor, t)));
   }
+  this->Sharp.assign(this->State.surface.triangles.size(), 0);
+  for (std::size_t e = 0; e < this->State.table.edges.size(); ++e)
+  {
+    if (!this->OpensWide(static_cast<Id>(e)))
+    {
+      for (Id t : Row(this->State.table.triangles, static_cast<Id>(e)))
+      {
+        this->Sharp[static_cast<std::size_t>(t)] = 1;
+      }
+    }
+  }
+}
+
+/// True if all triangles at the edge stand so wide apart that their angle need not be watched.
+bool MoveGuard::OpensWide(Id e) const
+{
+  const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
+  const Vec3& a = this->Anchor[static_cast<std::size_t>(edge.a)];
+  const Vec3 u = Normalized(this->Anchor[static_cast<std::size_t>(edge.b)] - a);
+  const auto direction = [&](Id triangle) {
+    const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
+    const Vec3 w = this->Anchor[static_cast<std::size_t>(tri[0] + tri[1] + tri[2] - edge.a - edge.b)] - a;
+    return Normalized(w - Dot(w, u) * u);
+  };
+  const ListRow row = Row(this->State.table.triangles, e);
+  if (row.last - row.first != 2)
+  {
+    return false;
+  }
+  return Dot(direction(row.first[0]), direction(row.first[1])) <= wideOpening;
 }
 
 Vec3 MoveGuard::Place(Id p, const Relaxation& r) const
@@ -70,13 +101,11 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
     const Vec3 b = this->Place(tri[1], r);
     const Vec3 c = this->Place(tri[2], r);
     const Vec3 area = Cross(b - a, c - a);
-    const double size = Norm(area);
-    if (Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]) < leastTurnCosine * size)
-    {
-      return false;
-    }
+    const double size2 = Norm2(area);
+    const double along = Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]);
     const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
-    if (size < leastShape * longest2)
+    if (along < 0 || along * along < leastTurnCosine * leastTurnCosine * size2 ||
+      size2 < leastShape * leastShape * longest2 * longest2)
     {
       return false;
     }
@@ -134,6 +163,10 @@ bool MoveGuard::Allows(const Relaxation& r) const
     }
     for (Id t : Row(this->State.star, p))
     {
+      if (!this->Sharp[static_cast<std::size_t>(t)])
+      {
+        continue;
+      }
       const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(t)];
       const bool seen = p == r.b && (tri[0] == r.a || tri[1] == r.a || tri[2] == r.a);
       if (!seen && !this->KeepsAngles(t, r))

@@ -21,6 +21,7 @@ public:
   const std::vector<Vec3>& PhaseStart() const { return this->Anchor; }
 
 private:
+  bool OpensWide(Id edge) const;
   bool StaysNear(Id p, const Vec3& place) const;
   Vec3 Place(Id p, const Relaxation& r) const;
   bool KeepsTriangles(Id p, const Relaxation& r) const;
@@ -32,6 +33,7 @@ private:
   std::vector<Vec3> OriginNormal; ///< unit normals there
   std::vector<Vec3> Anchor;
   std::vector<Vec3> AnchorNormal; ///< of triangles
+  std::vector<char> Sharp;        ///< triangles with an edge that needs its angle watched in this phase
   std::vector<double> Radii;
 };
 

@@ -22,7 +22,7 @@ int SweepsOfPhase(int done)
   return done < 6 ? 2 : 5;
 }
 
-constexpr int leastHalvings = 4;   ///< a refused move is tried again at half its weight this often
+constexpr int halvings = 2;      ///< a refused move is tried again at half its weight this often
 constexpr int colours = 192;
 
 /// What is relaxed: edges whose ends are of one kind, and points without such an edge (b = -1).
@@ -164,7 +164,7 @@ Id Smoother::Sweep(Monitor& monitor)
         const Edge& edge = edges[static_cast<std::size_t>(i)];
         double weight = this->Options.relaxation;
         bool moved = false;
-        for (int attempt = 0; attempt <= leastHalvings && !moved; ++attempt, weight /= 2)
+        for (int attempt = 0; attempt <= halvings && !moved; ++attempt, weight /= 2)
         {
           Relaxation r;
           if (!RelaxEdge(this->State, edge.a, edge.b, weight, r))
@@ -237,7 +237,7 @@ Id Smoother::RollBack(Monitor& monitor)
 bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
 {
   TriangleComplex& surface = this->State.surface;
-  std::vector<double> radii = PointClearances(surface.points, surface.triangles, 1.5 * this->Unit, monitor);
+  std::vector<double> radii = PointClearances(surface.points, surface.triangles, this->Unit, monitor);
   for (double& r : radii)
   {
     r *= 0.45;

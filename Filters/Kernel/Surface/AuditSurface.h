@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The audit of a surface between materials: is each material's boundary closed and oriented, is every point
-// used once.
+// The audit of a surface between materials: is each material's boundary closed and oriented, free of
+// intersections, and is every point used once.
 #pragma once
 
 #include "../Base/Monitor.h"
 #include "../Base/Result.h"
-#include "TriangleComplex.h"
+#include "../Mesh/TriangleComplex.h"
 
 namespace lamina
 {
@@ -25,13 +25,14 @@ struct SurfaceAuditReport
   Id flatTriangles = 0;   ///< without an area
   Id duplicatePoints = 0; ///< equal to another point, bit for bit
   Id unusedPoints = 0;
+  Id intersectingPairs = 0; ///< pairs of triangles that meet anywhere but in shared corners and edges
   std::vector<MaterialSurfaceAudit> materials; ///< ascending, background apart
   std::vector<std::string> findings;           ///< a sentence for each thing wrong, with the first places
   bool Passed() const { return this->findings.empty(); }
 };
 
-/// Audit `surface`; `flags` gets MeshingFlags of the triangles (Audit.h: FlagBadQuality flat,
-/// FlagNonConforming at an open edge).
+/// Audit `surface`; `flags` gets MeshingFlags of the triangles (Audit.h): FlagBadQuality for flat ones,
+/// FlagNonConforming at an open edge, FlagOverlap for those that intersect another.
 Result<SurfaceAuditReport> AuditSurface(const TriangleComplex& surface, std::vector<unsigned char>& flags,
                                         Monitor& monitor);
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellFaces.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+namespace
+{
+
+constexpr Id Grain = 4096;
+
+using Local = std::array<int, 4>;
+
+// Counter-clockwise seen from outside, VTK's node orders: a wedge's first triangle has its normal outwards, a
+// pyramid's base inwards.
+constexpr Local TetLocal[] = { { { 1, 2, 3, -1 } },
+                               { { 0, 3, 2, -1 } },
+                               { { 0, 1, 3, -1 } },
+                               { { 0, 2, 1, -1 } } };
+constexpr Local WedgeLocal[] = { { { 0, 1, 2, -1 } },
+                                 { { 3, 5, 4, -1 } },
+                                 { { 0, 3, 4, 1 } },
+                                 { { 1, 4, 5, 2 } },
+                                 { { 2, 5, 3, 0 } } };
+constexpr Local PyramidLocal[] = { { { 0, 3, 2, 1 } },
+                                   { { 0, 1, 4, -1 } },
+                                   { { 1, 2, 4, -1 } },
+                                   { { 2, 3, 4, -1 } },
+                                   { { 3, 0, 4, -1 } } };
+
+template<typename Visit>
+void ForFaces(const VolumeMesh& mesh, Visit&& visit)
+{
+  for (Id c = 0; c < mesh.CellCount(); ++c)
+  {
+    const Id* nodes = mesh.Cell(c);
+    const auto add = [&](const Local& local)
+    {
+      CellFace face;
+      face.cell = c;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        face.corners[k] = local[k] < 0 ? -1 : nodes[local[k]];
+      }
+      visit(face);
+    };
+    switch (mesh.types[static_cast<std::size_t>(c)])
+    {
+      case CellType::Tetrahedron:
+        std::for_each(std::begin(TetLocal), std::end(TetLocal), add);
+        break;
+      case CellType::Wedge:
+        std::for_each(std::begin(WedgeLocal), std::end(WedgeLocal), add);
+        break;
+      case CellType::Pyramid:
+        std::for_each(std::begin(PyramidLocal), std::end(PyramidLocal), add);
+        break;
+    }
+  }
+}
+
+/// Ascending, a triangle's -1 last.
+std::array<Id, 4> Key(const CellFace& face)
+{
+  std::array<Id, 4> key = face.corners;
+  std::sort(key.begin(), key.begin() + (face.IsQuad() ? 4 : 3));
+  return key;
+}
+
+bool ComesBefore(const CellFace& a, const CellFace& b)
+{
+  const auto keyA = Key(a);
+  const auto keyB = Key(b);
+  return keyA != keyB ? keyA < keyB : a.cell < b.cell;
+}
+
+} // namespace
+
+CellFaces FindCellFaces(const VolumeMesh& mesh, Monitor& monitor)
+{
+  CellFaces all;
+  std::vector<std::size_t> first(mesh.points.size() + 1, 0);
+  const auto lowest = [](const CellFace& face)
+  {
+    return static_cast<std::size_t>(
+      *std::min_element(face.corners.begin(), face.corners.begin() + (face.IsQuad() ? 4 : 3)));
+  };
+  ForFaces(mesh, [&](const CellFace& face) { ++first[lowest(face) + 1]; });
+  for (std::size_t p = 1; p < first.size(); ++p)
+  {
+    first[p] += first[p - 1];
+  }
+  all.faces.resize(first.back());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  ForFaces(mesh, [&](const CellFace& face) { all.faces[next[lowest(face)]++] = face; });
+  monitor.For(static_cast<Id>(mesh.points.size()), Grain,
+              [&](Id begin, Id end)
+              {
+                for (Id p = begin; p < end; ++p)
+                {
+                  const auto at = all.faces.begin();
+                  std::sort(at + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(p)]),
+                            at + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(p) + 1]),
+                            ComesBefore);
+                }
+              });
+  all.startOfPoint.assign(mesh.points.size() + 1, 0);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    all.startOfPoint[p] = all.start.size();
+    for (std::size_t i = first[p]; i < first[p + 1]; ++i)
+    {
+      if (i == first[p] || Key(all.faces[i]) != Key(all.faces[i - 1]))
+      {
+        all.start.push_back(i);
+      }
+    }
+  }
+  all.startOfPoint[mesh.points.size()] = all.start.size();
+  all.start.push_back(all.faces.size());
+  return all;
+}
+
+Id CellFaces::Find(const Triangle& corners) const
+{
+  CellFace face;
+  std::copy(corners.begin(), corners.end(), face.corners.begin());
+  const auto key = Key(face);
+  const std::size_t p = static_cast<std::size_t>(key[0]);
+  for (std::size_t g = this->startOfPoint[p]; g < this->startOfPoint[p + 1]; ++g)
+  {
+    if (Key(this->faces[this->start[g]]) == key)
+    {
+      return static_cast<Id>(g);
+    }
+  }
+  return -1;
+}
+
+bool AreOpposite(const CellFace& a, const CellFace& b)
+{
+  const std::size_t n = a.IsQuad() ? 4 : 3;
+  const std::size_t shift =
+    static_cast<std::size_t>(std::find(b.corners.begin(), b.corners.end(), a.corners[0]) - b.corners.begin());
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    if (a.corners[k] != b.corners[(shift + n - k) % n])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace lamina

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When an edit of a surface is sound: shapes, distance to the input, intersections, visibility of nodes.
+#include "EditableSurface.h"
+
+#include "../Geometry/Predicates.h"
+#include "../Geometry/Quality.h"
+#include "../Geometry/VisibleDirection.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double leastTurnCosine = 0.5;  ///< between the normal of a triangle and that of the one it replaces
+constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
+
+} // namespace
+
+bool EditableSurface::IsSound(const Edit& edit) const
+{
+  return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit) && this->IsNearInput(edit) &&
+    this->IsClearOfOthers(edit);
+}
+
+bool EditableSurface::HasGoodShapes(const Edit& edit) const
+{
+  for (const Added& t : edit.added)
+  {
+    const Vec3& a = this->Point(t.corners[0]);
+    const Vec3& b = this->Point(t.corners[1]);
+    const Vec3& c = this->Point(t.corners[2]);
+    const Vec3 area = Cross(b - a, c - a);
+    if (Dot(area, t.normal) < leastTurnCosine * Norm(area) || !(TriangleQuality(a, b, c) >= edit.leastQuality))
+    {
+      return false;
+    }
+  }
+  return !edit.added.empty();
+}
+
+/// Middles and edges of the new triangles lie near the input.
+bool EditableSurface::IsNearInput(const Edit& edit) const
+{
+  for (const Added& t : edit.added)
+  {
+    const Vec3& a = this->Point(t.corners[0]);
+    const Vec3& b = this->Point(t.corners[1]);
+    const Vec3& c = this->Point(t.corners[2]);
+    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c)) || !this->Input.IsNear(t.sheet, 0.5 * (a + b)) ||
+      !this->Input.IsNear(t.sheet, 0.5 * (b + c)) || !this->Input.IsNear(t.sheet, 0.5 * (c + a)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// No new triangle meets any other but in shared corners and edges.
+bool EditableSurface::IsClearOfOthers(const Edit& edit) const
+{
+  for (const Added& t : edit.added)
+  {
+    const Box box = this->BoxOf(t.corners);
+    const bool clear = this->Grid.ForNear(box, [&](Id other) {
+      return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
+        !box.Overlaps(this->BoxOf(this->Corners(other))) ||
+        !TrianglesIntersect(this->Points, t.corners, this->Corners(other));
+    });
+    if (!clear)
+    {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < edit.added.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < edit.added.size(); ++j)
+    {
+      if (TrianglesIntersect(this->Points, edit.added[i].corners, edit.added[j].corners))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The least, over the materials at p, of how well the best direction into the material sees its faces there. With an
+/// edit: as it would be after it.
+double EditableSurface::Visibility(Id p, const Edit* edit) const
+{
+  struct Face
+  {
+    Vec3 normal;
+    MaterialPair pair;
+  };
+  std::vector<Face> faces;
+  const auto add = [&](const Triangle& corners, int sheet) {
+    faces.push_back({ Normalized(AreaVector2(this->Points, corners)),
+      this->Input.Surface().materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
+  };
+  for (Id t : this->Star(p))
+  {
+    if (edit == nullptr || !std::binary_search(edit->removed.begin(), edit->removed.end(), t))
+    {
+      add(this->Corners(t), this->Sheets[static_cast<std::size_t>(t)]);
+    }
+  }
+  if (edit != nullptr)
+  {
+    for (const Added& t : edit->added)
+    {
+      if (t.corners[0] == p || t.corners[1] == p || t.corners[2] == p)
+      {
+        add(t.corners, t.sheet);
+      }
+    }
+  }
+  // A point of a sheet has one pair: its cone is the same seen from both sides.
+  double least = 1;
+  std::vector<int> done;
+  std::vector<Vec3> normals;
+  for (const Face& face : faces)
+  {
+    for (int material : { face.pair.first, face.pair.second })
+    {
+      if (std::find(done.begin(), done.end(), material) != done.end() || material == 0)
+      {
+        continue;
+      }
+      done.push_back(material);
+      normals.clear();
+      Vec3 sum;
+      for (const Face& other : faces)
+      {
+        const int side = SideOf(other.pair, material);
+        if (side != 0)
+        {
+          normals.push_back(side * other.normal);
+          sum += normals.back();
+        }
+      }
+      const Vec3 mean = Normalized(sum);
+      double seen = 1;
+      for (const Vec3& n : normals)
+      {
+        seen = std::min(seen, Dot(mean, n));
+      }
+      least = std::min(least, seen >= leastVisibility ? seen : FindVisibleDirection(normals).leastCosine);
+    }
+    if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
+    {
+      break;
+    }
+  }
+  return least;
+}
+
+bool EditableSurface::KeepsNodesVisible(const Edit& edit) const
+{
+  std::vector<Id> nodes;
+  for (const Added& t : edit.added)
+  {
+    nodes.insert(nodes.end(), t.corners.begin(), t.corners.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (Id p : nodes)
+  {
+    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new: the old
+    // value is only approximate for a moved point, which errs on the strict side.)
+    const double after = this->Visibility(p, &edit);
+    if (after < leastVisibility && after < this->Visibility(p, nullptr))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace lamina

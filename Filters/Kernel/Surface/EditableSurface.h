@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A multimaterial surface whose triangles can be split, merged and swapped. Every edit keeps the topology of the
+// complex, and is refused where it would fold, intersect, hide a node or leave the input surface.
+#pragma once
+
+#include "../Mesh/VolumeCorrection.h"
+#include "InputSurface.h"
+#include "TriangleGrid.h"
+
+namespace lamina
+{
+
+class EditableSurface
+{
+public:
+  /// `input` is the surface that edits must stay near to; it outlives this object.
+  EditableSurface(const InputSurface& input, double mergeRatio, double splitRatio);
+
+  // What is there. Ids of removed points and triangles stay unused.
+  Id PointCount() const { return static_cast<Id>(this->Points.size()); }
+  const Vec3& Point(Id p) const { return this->Points[static_cast<std::size_t>(p)]; }
+  double Target(Id p) const { return this->Targets[static_cast<std::size_t>(p)]; }
+  bool IsAlive(Id triangle) const { return this->Triangles[static_cast<std::size_t>(triangle)][0] >= 0; }
+  Id TriangleCount() const { return static_cast<Id>(this->Triangles.size()); }
+  const Triangle& Corners(Id triangle) const { return this->Triangles[static_cast<std::size_t>(triangle)]; }
+  const std::vector<Id>& Star(Id p) const { return this->Stars[static_cast<std::size_t>(p)]; }
+  double Length(Id a, Id b) const { return Norm(this->Point(a) - this->Point(b)); }
+  /// Length over the stricter target of the two ends.
+  double RelativeLength(Id a, Id b) const { return this->Length(a, b) / std::min(this->Target(a), this->Target(b)); }
+  double Quality(Id triangle) const;
+  /// The triangles at edge (a, b).
+  std::vector<Id> TrianglesAt(Id a, Id b) const;
+
+  // Edits; each returns whether it was done.
+  /// Bisect the edge at its middle; always safe. Returns the new point.
+  Id Split(Id a, Id b);
+  /// Merge the two ends of an edge; `anyLength` allows new edges longer than the targets (to remove a bad triangle).
+  bool Merge(Id a, Id b, bool anyLength = false);
+  /// Swap the edge for the other diagonal of its two triangles if that betters the worse of the two.
+  bool Swap(Id a, Id b);
+  /// Move the point towards evenly sized triangles without a change of volume.
+  bool Relax(Id p);
+
+  /// The result: points and triangles compacted, fields interpolated from the input.
+  void Write(TriangleComplex& surface) const;
+  /// The sheets of the triangles as Write() puts them out, with the shells of the input.
+  SheetGraph WrittenSheets() const;
+
+private:
+  enum Class : unsigned char
+  {
+    OnSheet,
+    OnCurve,
+    AtCorner,
+    Removed
+  };
+  /// A triangle that an edit puts in; `normal` is that of what it replaces.
+  struct Added
+  {
+    Triangle corners;
+    int sheet;
+    Vec3 normal;
+  };
+  struct Edit
+  {
+    std::vector<Id> removed; ///< ascending
+    std::vector<Added> added;
+    double leastQuality = 0; ///< no added triangle may be worse
+  };
+
+  bool IsFeature(const std::vector<Id>& triangles) const;
+  bool LinkAllows(Id gone, Id kept, const std::vector<Id>& shared) const;
+  Vec3 MergedPlace(Id gone, Id kept, const std::vector<Id>& shared) const;
+  bool MergeInto(Id gone, Id kept, const std::vector<Id>& shared, const Vec3& place, bool anyLength);
+  Edit RemovalOf(std::vector<Id> triangles) const;
+  bool TryMove(Id p, const Vec3& place, double leastQuality);
+  bool CurveNeighbours(Id p, Id& before, Id& after) const;
+
+  // Is the edit sound, with the coordinates that points have now?
+  bool IsSound(const Edit& edit) const;
+  bool HasGoodShapes(const Edit& edit) const;
+  bool IsNearInput(const Edit& edit) const;
+  bool IsClearOfOthers(const Edit& edit) const;
+  bool KeepsNodesVisible(const Edit& edit) const;
+  double Visibility(Id p, const Edit* edit) const;
+
+  Box BoxOf(const Triangle& t) const;
+  void Commit(const Edit& edit);
+  void Insert(Id id, const Triangle& corners, int sheet);
+  void Remove(Id id);
+
+  const InputSurface& Input;
+  double MergeRatio;
+  double SplitRatio;
+  std::vector<Vec3> Points;
+  std::vector<double> Targets;
+  std::vector<Class> Classes;
+  std::vector<std::vector<Id>> Stars;
+  std::vector<Triangle> Triangles;
+  std::vector<int> Sheets; ///< sheet of a triangle, in the input's SheetGraph
+  std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
+  TriangleGrid Grid;
+};
+
+} // namespace lamina

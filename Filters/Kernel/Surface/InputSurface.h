@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface as it entered refinement: what edits are measured against, and where fields are read.
+#pragma once
+
+#include "../Mesh/JunctionGraph.h"
+#include "../Mesh/VolumeCorrection.h"
+#include "../Search/TriangleTree.h"
+
+#include <memory>
+
+namespace lamina
+{
+
+class InputSurface
+{
+public:
+  /// `tolerance`: largest distance of edits, a length; 0: a tenth of the local feature size, at most half a mean edge.
+  InputSurface(const TriangleComplex& surface, double tolerance);
+
+  const TriangleComplex& Surface() const { return this->Complex; }
+  const SheetGraph& Sheets() const { return this->Graph; }
+  double MeanEdge() const { return this->Mean; }
+  /// The closest point of a sheet within `limit`; triangle -1 if there is none.
+  TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
+  /// True if p lies within the tolerance of the sheet.
+  bool IsNear(int sheet, const Vec3& p) const;
+  double TargetAt(const TriangleTree::Closest& place) const { return this->Interpolate(this->Complex.targetEdgeLength, place); }
+  /// A point field at a place; NaN corners are left out.
+  double Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place, std::size_t stride = 1,
+    std::size_t component = 0) const;
+  int TriangleSheet(Id t) const { return this->Graph.sheetOfTriangle[static_cast<std::size_t>(t)]; }
+
+private:
+  TriangleComplex Complex;
+  SheetGraph Graph;
+  double Mean;
+  double Tolerance;
+  std::vector<std::unique_ptr<TriangleTree>> Trees; ///< one a sheet
+};
+
+} // namespace lamina

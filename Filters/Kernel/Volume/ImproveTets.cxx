@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImproveTets.h"
+
+#include "../Geometry/Predicates.h"
+#include "../Geometry/Quality.h"
+#include "TetCavity.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+namespace
+{
+
+using Tet = std::array<Id, 4>;
+
+constexpr Id Grain = 16384;
+constexpr std::size_t CancelEvery = 256;
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+std::vector<double> Qualities(const TetSet& set, Monitor& monitor)
+{
+  std::vector<double> qualities(set.tets.size());
+  monitor.For(static_cast<Id>(qualities.size()), Grain,
+              [&](Id begin, Id end)
+              {
+                for (Id t = begin; t < end; ++t)
+                {
+                  const Tet& c = set.tets[Index(t)];
+                  qualities[Index(t)] = TetQuality(set.points[Index(c[0])], set.points[Index(c[1])],
+                                                   set.points[Index(c[2])], set.points[Index(c[3])]);
+                }
+              });
+  return qualities;
+}
+
+/// The tets below the target, worst first.
+std::vector<Id> FindBad(const TetSet& set, double target, Monitor& monitor, double& least)
+{
+  const auto qualities = Qualities(set, monitor);
+  std::vector<Id> bad;
+  least = 1;
+  for (std::size_t t = 0; t < qualities.size(); ++t)
+  {
+    least = std::min(least, qualities[t]);
+    if (qualities[t] < target)
+    {
+      bad.push_back(static_cast<Id>(t));
+    }
+  }
+  std::stable_sort(bad.begin(), bad.end(),
+                   [&](Id a, Id b) { return qualities[Index(a)] < qualities[Index(b)]; });
+  return bad;
+}
+
+/// Takes out the tets that operations left behind (first node -1).
+void Compact(TetSet& set)
+{
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < set.tets.size(); ++from)
+  {
+    if (set.tets[from][0] >= 0)
+    {
+      set.tets[to] = set.tets[from];
+      set.groups[to] = set.groups[from];
+      ++to;
+    }
+  }
+  set.tets.resize(to);
+  set.groups.resize(to);
+}
+
+/// One pass over the bad tets; false if nothing could be done.
+bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>& bad,
+          ImproveTetsReport& report, Monitor& monitor)
+{
+  TetCavity cavity(set, bad);
+  const Id before = report.edgesRemoved + report.facesFlipped + report.pointsMoved;
+  for (std::size_t i = 0; i < bad.size(); ++i)
+  {
+    if (i % CancelEvery == 0 && monitor.Cancelled())
+    {
+      break;
+    }
+    // An operation on a neighbour may have replaced or mended it.
+    const Id t = bad[i];
+    if (set.tets[Index(t)][0] < 0 || cavity.Quality(set.tets[Index(t)]) >= options.target)
+    {
+      continue;
+    }
+    const auto done = cavity.Reconnect(t);
+    report.edgesRemoved += done == TetCavity::Done::EdgeRemoved;
+    report.facesFlipped += done == TetCavity::Done::FaceFlipped;
+    if (done == TetCavity::Done::Nothing)
+    {
+      report.pointsMoved += cavity.MovePoints(t);
+    }
+  }
+  Compact(set);
+  return report.edgesRemoved + report.facesFlipped + report.pointsMoved > before;
+}
+
+} // namespace
+
+ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Monitor& monitor)
+{
+  ImproveTetsReport report;
+  set.groups.resize(set.tets.size(), 0);
+  set.fixed.resize(set.points.size(), 0);
+  auto bad = FindBad(set, options.target, monitor, report.leastQuality);
+  for (int round = 0; round < options.rounds && !bad.empty() && !monitor.Cancelled(); ++round)
+  {
+    monitor.Progress(round / static_cast<double>(options.rounds), "Improving the worst tetrahedra");
+    const bool hasMoved = Pass(set, options, bad, report, monitor);
+    bad = FindBad(set, options.target, monitor, report.leastQuality);
+    if (!hasMoved)
+    {
+      break;
+    }
+  }
+  report.left = static_cast<Id>(bad.size());
+  return report;
+}
+
+} // namespace lamina

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LayerMesh.h"
+
+#include "../Mesh/Closedness.h"
+#include "../Search/SelfIntersection.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+std::size_t U(Id i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace
+
+LayerMesh::LayerMesh(const TriangleComplex& surface, VolumeMesh& mesh)
+  : Surface(surface)
+  , Mesh(mesh)
+  , PointOfSurface(surface.points.size(), -1)
+{
+}
+
+Id LayerMesh::AddPoint(const Vec3& place, int layerIndex)
+{
+  this->Mesh.points.push_back(place);
+  this->Mesh.layerIndex.push_back(layerIndex);
+  this->Mesh.interfaceNodeIds.push_back(-1);
+  return static_cast<Id>(this->Mesh.points.size()) - 1;
+}
+
+Id LayerMesh::WallPoint(Id surfacePoint)
+{
+  Id& id = this->PointOfSurface[U(surfacePoint)];
+  if (id < 0)
+  {
+    id = this->AddPoint(this->Surface.points[U(surfacePoint)], 0);
+    this->Mesh.interfaceNodeIds.back() = surfacePoint;
+  }
+  return id;
+}
+
+std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnCells kind, LayersReport& report)
+{
+  // Node ids: layer by layer, a stopped column repeats its wall node.
+  const std::size_t count = wall.points.size();
+  std::vector<std::vector<Id>> ids(U(columns.layers) + 1, std::vector<Id>(count));
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    ids[0][v] = this->WallPoint(wall.surfacePoints[v]);
+  }
+  for (int k = 1; k <= columns.layers; ++k)
+  {
+    for (std::size_t v = 0; v < count; ++v)
+    {
+      const Id node = static_cast<Id>(v);
+      ids[U(k)][v] = columns.Stopped(node) ? ids[0][v] : this->AddPoint(columns.Place(wall, node, k), k);
+    }
+  }
+  std::array<ColumnCell, 3> cells;
+  for (int k = 1; k <= columns.layers; ++k)
+  {
+    for (Id t = 0; t < static_cast<Id>(wall.triangles.size()); ++t)
+    {
+      const int n = CellsOfTriangle(wall, columns, t, k, kind, cells);
+      for (int i = 0; i < n; ++i)
+      {
+        const ColumnCell& cell = cells[static_cast<std::size_t>(i)];
+        const auto id = [&](std::size_t c) { return ids[U(cell.nodes[c].layer)][U(cell.nodes[c].node)]; };
+        switch (cell.type)
+        {
+          case CellType::Wedge:
+            this->Mesh.AddCell<6>(cell.type, { id(0), id(1), id(2), id(3), id(4), id(5) }, wall.material, k);
+            ++report.wedges;
+            break;
+          case CellType::Pyramid:
+            this->Mesh.AddCell<5>(cell.type, { id(0), id(1), id(2), id(3), id(4) }, wall.material, k);
+            ++report.pyramids;
+            break;
+          default:
+            this->Mesh.AddCell<4>(cell.type, { id(0), id(1), id(2), id(3) }, wall.material, k);
+            ++report.tets;
+        }
+      }
+    }
+  }
+  return ids[U(columns.layers)];
+}
+
+void LayerMesh::Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface, LayersReport& report)
+{
+  for (std::size_t v = 0; v < wall.points.size(); ++v)
+  {
+    if (wall.fixed[v])
+    {
+      continue;
+    }
+    if (columns.Stopped(static_cast<Id>(v)))
+    {
+      ++report.stoppedColumns;
+      report.stoppedPlaces.push_back(wall.points[v]);
+      continue;
+    }
+    ++report.columns;
+    report.thinnedColumns += columns.height[v] < 0.99 * columns.wanted[v] ? 1 : 0;
+  }
+  for (std::size_t t = 0; t < wall.triangles.size(); ++t)
+  {
+    bool full = true;
+    double share = 1;
+    for (Id v : wall.triangles[t])
+    {
+      full = full && !columns.Stopped(v);
+      share = std::min(share, columns.wanted[U(v)] > 0 ? columns.height[U(v)] / columns.wanted[U(v)] : 0);
+    }
+    // A triangle between two meshed materials keeps the lesser of both sides.
+    const std::size_t s = U(wall.surfaceTriangles[t]);
+    const int layers = full ? columns.layers : 0;
+    onSurface.achieved[s] = onSurface.achieved[s] < 0 ? layers : std::min(onSurface.achieved[s], layers);
+    onSurface.fraction[s] = onSurface.fraction[s] < 0 ? share : std::min(onSurface.fraction[s], share);
+  }
+}
+
+TriangleComplex FrontOf(const Wall& wall, const Columns& columns)
+{
+  TriangleComplex front;
+  for (std::size_t v = 0; v < wall.points.size(); ++v)
+  {
+    front.points.push_back(columns.Place(wall, static_cast<Id>(v), columns.layers));
+  }
+  for (const Triangle& t : wall.triangles)
+  {
+    front.triangles.push_back({ t[0], t[2], t[1] });
+    front.materials.push_back({ wall.material, 0 });
+  }
+  return front;
+}
+
+Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const std::vector<int>& asked, const char* what)
+{
+  const std::vector<int> present = MaterialsOf(surface);
+  std::vector<int> materials = asked;
+  std::sort(materials.begin(), materials.end());
+  materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
+  for (int material : materials)
+  {
+    if (!std::binary_search(present.begin(), present.end(), material))
+    {
+      std::string known;
+      for (int p : present)
+      {
+        known += (known.empty() ? "" : ", ") + std::to_string(p);
+      }
+      return InvalidOption("material " + std::to_string(material) + " is named as " + what +
+        ", but the surface has only " + (known.empty() ? "none" : known));
+    }
+  }
+  return materials;
+}
+
+std::optional<Error> CheckLayerSurface(const TriangleComplex& surface, Monitor& monitor)
+{
+  if (std::optional<Error> error = CheckClosed(surface, true, monitor))
+  {
+    return error;
+  }
+  if (surface.sizedMaterials.empty() && !surface.triangles.empty())
+  {
+    return InvalidInput("there is no MaterialFeatureSize on the points: run Feature Size first");
+  }
+  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
+  if (pairs.empty())
+  {
+    return std::nullopt;
+  }
+  std::vector<Vec3> places;
+  for (const auto& pair : pairs)
+  {
+    places.push_back(surface.points[U(surface.triangles[U(pair[0])][0])]);
+  }
+  return InvalidInput("the surface intersects itself in " + std::to_string(pairs.size()) + " pairs of triangles" +
+      DescribePlaces(places) + ": no layers can grow on it",
+    places);
+}
+
+} // namespace lamina

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetCavity.h"
+
+#include "../Geometry/Predicates.h"
+#include "../Geometry/Quality.h"
+#include "../Mesh/TetFaces.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lamina
+{
+namespace
+{
+
+/// Longest ring of tets round an edge that is looked at: longer ones are seldom bettered.
+constexpr std::size_t LongestRing = 8;
+/// A change must be worth its while: this keeps rounding from driving it round in circles.
+constexpr double LeastGain = 1e-6;
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+bool Has(const TetCavity::Tet& tet, Id point)
+{
+  return std::find(tet.begin(), tet.end(), point) != tet.end();
+}
+
+} // namespace
+
+TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
+  : Set(set)
+  , Slot(set.points.size(), -1)
+{
+  for (Id t : around)
+  {
+    for (Id p : set.tets[Index(t)])
+    {
+      if (this->Slot[Index(p)] < 0)
+      {
+        this->Slot[Index(p)] = static_cast<Id>(this->Stars.size());
+        this->Stars.emplace_back();
+      }
+    }
+  }
+  for (std::size_t t = 0; t < set.tets.size(); ++t)
+  {
+    for (Id p : set.tets[t])
+    {
+      if (this->IsKnown(p))
+      {
+        this->Stars[Index(this->Slot[Index(p)])].push_back(static_cast<Id>(t));
+      }
+    }
+  }
+}
+
+bool TetCavity::IsKnown(Id point) const
+{
+  return this->Slot[Index(point)] >= 0;
+}
+
+const std::vector<Id>& TetCavity::TetsOf(Id point) const
+{
+  return this->Stars[Index(this->Slot[Index(point)])];
+}
+
+double TetCavity::Quality(const Tet& c) const
+{
+  const auto& p = this->Set.points;
+  return TetQuality(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
+}
+
+double TetCavity::LeastOf(const std::vector<Id>& tets) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Id t : tets)
+  {
+    least = std::min(least, this->Quality(this->Set.tets[Index(t)]));
+  }
+  return least;
+}
+
+bool TetCavity::IsSound(const std::vector<Tet>& tets) const
+{
+  const auto& p = this->Set.points;
+  return std::all_of(tets.begin(), tets.end(),
+                     [&](const Tet& c) {
+                       return Orientation(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]) > 0;
+                     });
+}
+
+bool TetCavity::Allows(Id a, Id b) const
+{
+  if (this->Set.layerIndex.empty())
+  {
+    return true;
+  }
+  const int i = this->Set.layerIndex[Index(a)];
+  const int j = this->Set.layerIndex[Index(b)];
+  return i < 0 || j < 0 || std::abs(i - j) <= 1;
+}
+
+TetCavity::Done TetCavity::Reconnect(Id tet)
+{
+  const Tet own = this->Set.tets[Index(tet)];
+  Change best;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      this->RemoveEdge(tet, own[i], own[j], best);
+    }
+    this->FlipFace(tet, i, best);
+  }
+  if (best.kind != Done::Nothing)
+  {
+    this->Apply(best);
+  }
+  return best.kind;
+}
+
+void TetCavity::Apply(const Change& change)
+{
+  const int group = this->Set.groups[Index(change.out.front())];
+  for (Id t : change.out)
+  {
+    for (Id p : this->Set.tets[Index(t)])
+    {
+      if (this->IsKnown(p))
+      {
+        auto& star = this->Stars[Index(this->Slot[Index(p)])];
+        star.erase(std::find(star.begin(), star.end(), t));
+      }
+    }
+    this->Set.tets[Index(t)][0] = -1;
+  }
+  for (const Tet& tet : change.in)
+  {
+    for (Id p : tet)
+    {
+      if (this->IsKnown(p))
+      {
+        this->Stars[Index(this->Slot[Index(p)])].push_back(static_cast<Id>(this->Set.tets.size()));
+      }
+    }
+    this->Set.tets.push_back(tet);
+    this->Set.groups.push_back(group);
+  }
+}
+
+void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
+{
+  // Two tets on a face (a, b, c) with apices d and e become three round the edge (d, e).
+  const Tet& own = this->Set.tets[Index(tet)];
+  const Triangle face = TetFace(own, opposite);
+  const Id d = own[opposite];
+  if (!this->IsKnown(face[0]))
+  {
+    return;
+  }
+  for (Id t : this->TetsOf(face[0]))
+  {
+    const Tet& other = this->Set.tets[Index(t)];
+    if (t == tet || !Has(other, face[1]) || !Has(other, face[2]))
+    {
+      continue;
+    }
+    const Id e = *std::find_if(other.begin(), other.end(),
+                               [&](Id p) { return p != face[0] && p != face[1] && p != face[2]; });
+    if (this->Set.groups[Index(t)] != this->Set.groups[Index(tet)] || !this->Allows(d, e))
+    {
+      return;
+    }
+    Change change{ { tet, t }, {}, std::numeric_limits<double>::infinity(), Done::FaceFlipped };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      // The face turns counter-clockwise seen from e.
+      change.in.push_back({ { face[(k + 1) % 3], face[k], e, d } });
+      change.quality = std::min(change.quality, this->Quality(change.in.back()));
+    }
+    if (change.quality > std::max(best.quality, this->LeastOf(change.out) + LeastGain) &&
+        this->IsSound(change.in))
+    {
+      best = std::move(change);
+    }
+    return;
+  }
+}
+
+bool TetCavity::FindRing(Id a, Id b, int group, std::vector<Id>& out, std::vector<Id>& ring) const
+{
+  // Each tet on the edge a-b gives a step x -> y of the ring such that (a, b, x, y) is positive.
+  std::vector<std::array<Id, 2>> steps;
+  for (Id t : this->TetsOf(a))
+  {
+    const Tet& tet = this->Set.tets[Index(t)];
+    if (!Has(tet, b))
+    {
+      continue;
+    }
+    if (this->Set.groups[Index(t)] != group || steps.size() == LongestRing)
+    {
+      return false;
+    }
+    const std::size_t i = Index(std::find(tet.begin(), tet.end(), a) - tet.begin());
+    const Triangle face = TetFace(tet, i); // turns clockwise seen from a
+    const std::size_t k = face[0] == b ? 0 : (face[1] == b ? 1 : 2);
+    steps.push_back({ { face[(k + 1) % 3], face[(k + 2) % 3] } });
+    out.push_back(t);
+  }
+  ring.assign(1, steps.front()[0]);
+  while (ring.size() <= steps.size())
+  {
+    const auto step =
+      std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s[0] == ring.back(); });
+    if (step == steps.end())
+    {
+      return false; // the edge lies on the boundary
+    }
+    if ((*step)[1] == ring.front())
+    {
+      return ring.size() == steps.size();
+    }
+    ring.push_back((*step)[1]);
+  }
+  return false;
+}
+
+void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
+{
+  if (!this->IsKnown(a))
+  {
+    return;
+  }
+  Change change;
+  std::vector<Id> ring;
+  if (!this->FindRing(a, b, this->Set.groups[Index(tet)], change.out, ring) || ring.size() < 3)
+  {
+    return;
+  }
+  // The ring's best triangulation: from[i][j] is the best for the polygon i..j, each triangle carrying a tet
+  // to either end of the edge.
+  const std::size_t n = ring.size();
+  const double floor = std::max(best.quality, this->LeastOf(change.out) + LeastGain);
+  std::array<std::array<double, LongestRing>, LongestRing> from;
+  std::array<std::array<std::size_t, LongestRing>, LongestRing> middle{};
+  const auto tetsOn = [&](std::size_t i, std::size_t k, std::size_t j)
+  {
+    return std::array<Tet, 2>{ { { { ring[i], ring[k], ring[j], b } },
+                                 { { ring[j], ring[k], ring[i], a } } } };
+  };
+  for (std::size_t span = 1; span < n; ++span)
+  {
+    for (std::size_t i = 0; i + span < n; ++i)
+    {
+      const std::size_t j = i + span;
+      const bool isNew = span > 1 && span < n - 1;
+      from[i][j] = span == 1 ? 1 : -1;
+      if (span == 1 || (isNew && !this->Allows(ring[i], ring[j])))
+      {
+        continue;
+      }
+      for (std::size_t k = i + 1; k < j; ++k)
+      {
+        const double below = std::min(from[i][k], from[k][j]);
+        if (below <= std::max(floor, from[i][j]))
+        {
+          continue;
+        }
+        const auto pair = tetsOn(i, k, j);
+        const double quality = std::min({ below, this->Quality(pair[0]), this->Quality(pair[1]) });
+        if (quality > from[i][j])
+        {
+          from[i][j] = quality;
+          middle[i][j] = k;
+        }
+      }
+    }
+  }
+  if (from[0][n - 1] <= floor)
+  {
+    return;
+  }
+  std::vector<std::array<std::size_t, 2>> open{ { { 0, n - 1 } } };
+  while (!open.empty())
+  {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    if (j - i > 1)
+    {
+      const std::size_t k = middle[i][j];
+      const auto pair = tetsOn(i, k, j);
+      change.in.insert(change.in.end(), pair.begin(), pair.end());
+      open.push_back({ { i, k } });
+      open.push_back({ { k, j } });
+    }
+  }
+  if (this->IsSound(change.in))
+  {
+    change.quality = from[0][n - 1];
+    change.kind = Done::EdgeRemoved;
+    best = std::move(change);
+  }
+}
+
+Id TetCavity::MovePoints(Id tet)
+{
+  Id moved = 0;
+  const Tet own = this->Set.tets[Index(tet)];
+  for (Id p : own)
+  {
+    if (this->Set.fixed[Index(p)] == 0 && this->IsKnown(p) && this->IsInterior(p))
+    {
+      moved += this->MovePoint(p);
+    }
+  }
+  return moved;
+}
+
+bool TetCavity::IsInterior(Id point) const
+{
+  // All round it one group, and the faces away from it close: each of their edges runs both ways.
+  std::vector<std::array<Id, 2>> edges;
+  const auto& star = this->TetsOf(point);
+  for (Id t : star)
+  {
+    const Tet& tet = this->Set.tets[Index(t)];
+    if (this->Set.groups[Index(t)] != this->Set.groups[Index(star.front())])
+    {
+      return false;
+    }
+    const Triangle face = TetFace(tet, Index(std::find(tet.begin(), tet.end(), point) - tet.begin()));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back({ { face[k], face[(k + 1) % 3] } });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::all_of(
+    edges.begin(), edges.end(),
+    [&](const auto& e) {
+      return std::binary_search(edges.begin(), edges.end(), std::array<Id, 2>{ { e[1], e[0] } });
+    });
+}
+
+bool TetCavity::MovePoint(Id point)
+{
+  const auto& star = this->TetsOf(point);
+  Vec3& place = this->Set.points[Index(point)];
+  const Vec3 start = place;
+  double edge = std::numeric_limits<double>::infinity();
+  Vec3 centre;
+  for (Id t : star)
+  {
+    for (Id p : this->Set.tets[Index(t)])
+    {
+      centre += this->Set.points[Index(p)];
+      edge = p == point ? edge : std::min(edge, Norm(this->Set.points[Index(p)] - start));
+    }
+  }
+  centre = centre * (1.0 / (4.0 * static_cast<double>(star.size())));
+  const double before = this->LeastOf(star);
+  double least = before;
+  const auto attempt = [&](const Vec3& to)
+  {
+    const Vec3 from = place;
+    place = to;
+    const double now = this->LeastOf(star);
+    if (now > least + LeastGain)
+    {
+      least = now;
+      return true;
+    }
+    place = from;
+    return false;
+  };
+  attempt(centre) || attempt(0.5 * (start + centre));
+  // A pattern search: the least quality of a star is not smooth, so slopes tell little.
+  double step = 0.3 * edge;
+  for (int halvings = 0; halvings < 7;)
+  {
+    bool isBetter = false;
+    for (int k = 0; k < 6; ++k)
+    {
+      Vec3 to = place;
+      to[k / 2] += k % 2 == 0 ? step : -step;
+      isBetter = attempt(to) || isBetter;
+    }
+    halvings += isBetter ? 0 : 1;
+    step *= isBetter ? 1 : 0.5;
+  }
+  std::vector<Tet> tets;
+  for (Id t : star)
+  {
+    tets.push_back(this->Set.tets[Index(t)]);
+  }
+  if (!(place == start) && this->IsSound(tets))
+  {
+    return true;
+  }
+  place = start;
+  return false;
+}
+
+} // namespace lamina
