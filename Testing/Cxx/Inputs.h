@@ -22,7 +22,8 @@
 
 #include <string>
 
-/// An image of `edge` voxels a side: blood (2) in a box of tissue (1) in background, the walls two voxels thick or more.
+/// An image of `edge` voxels a side: blood (2) in a box of tissue (1) in background, the walls two voxels
+/// thick or more.
 inline vtkSmartPointer<vtkImageData> NestedBoxes(int edge = 14)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
