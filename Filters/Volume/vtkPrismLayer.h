@@ -10,7 +10,7 @@
  * openings and at nodes that no direction sees) with MaterialIds and LayerIds (int, 1 touches the wall) on
  * the cells, LayerIndex (int, 0 on the wall) and InterfaceNodeIds (vtkIdType, the surface point a node is,
  * else -1) on the points. Port 1: vtkPolyData, the closed surfaces that bound what is left, with
- * BoundaryLabels (fluid, 0) and TargetEdgeLength. Port 2: the input surface with LayersAchieved (int) and
+ * BoundaryLabels (fluid, 0). Port 2: the input surface with LayersAchieved (int) and
  * LayerFraction (double, the share of the asked thickness) on its triangles.
  *
  * Points are marched inwards along directions that see all faces around them, each layer thicker than the one

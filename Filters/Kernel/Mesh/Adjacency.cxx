@@ -2,7 +2,6 @@
 #include "Adjacency.h"
 
 #include <algorithm>
-#include <set>
 
 namespace lamina
 {
@@ -72,14 +71,26 @@ EdgeTable MakeEdgeTable(const std::vector<Triangle>& triangles)
 
 std::vector<int> MaterialsOf(const TriangleComplex& surface)
 {
-  std::set<int> found;
+  int largest = 0;
   for (const MaterialPair& pair : surface.materials)
   {
-    found.insert(pair.first);
-    found.insert(pair.second);
+    largest = std::max({ largest, pair.first, pair.second });
   }
-  found.erase(0);
-  return { found.begin(), found.end() };
+  std::vector<char> present(static_cast<std::size_t>(largest) + 1, 0);
+  for (const MaterialPair& pair : surface.materials)
+  {
+    present[static_cast<std::size_t>(pair.first)] = 1;
+    present[static_cast<std::size_t>(pair.second)] = 1;
+  }
+  std::vector<int> found;
+  for (int material = 1; material <= largest; ++material)
+  {
+    if (present[static_cast<std::size_t>(material)])
+    {
+      found.push_back(material);
+    }
+  }
+  return found;
 }
 
 bool IsOpening(const TriangleComplex& surface, int patch)

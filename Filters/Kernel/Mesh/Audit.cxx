@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Audit.h"
 
-#include "../Geometry/Predicates.h"
-#include "../Geometry/Quality.h"
+#include "AuditCells.h"
 #include "AuditFaces.h"
 #include "AuditOverlap.h"
 #include "Closedness.h"
@@ -19,8 +18,6 @@ namespace lamina
 {
 namespace
 {
-
-constexpr Id Grain = 8192;
 
 std::size_t Index(Id id)
 {
@@ -79,142 +76,6 @@ std::optional<Error> CheckMesh(const VolumeMesh& mesh)
                         " of the mesh is not a finite position");
   }
   return std::nullopt;
-}
-
-template<std::size_t N>
-std::array<Vec3, N> Nodes(const VolumeMesh& mesh, Id cell)
-{
-  std::array<Vec3, N> nodes;
-  for (std::size_t k = 0; k < N; ++k)
-  {
-    nodes[k] = mesh.points[Index(mesh.Cell(cell)[k])];
-  }
-  return nodes;
-}
-
-struct CellMeasure
-{
-  bool isValid = false;
-  double quality = 0;
-  double volume = 0;
-};
-
-CellMeasure Measure(const VolumeMesh& mesh, Id cell)
-{
-  switch (mesh.types[Index(cell)])
-  {
-    case CellType::Wedge:
-    {
-      const auto n = Nodes<6>(mesh, cell);
-      return { WedgeIsValid(n), WedgeQuality(n), WedgeVolume(n) };
-    }
-    case CellType::Pyramid:
-    {
-      const auto n = Nodes<5>(mesh, cell);
-      return { PyramidIsValid(n), PyramidQuality(n), PyramidVolume(n) };
-    }
-    default:
-    {
-      const auto n = Nodes<4>(mesh, cell);
-      return { Orientation(n[0], n[1], n[2], n[3]) > 0, TetQuality(n[0], n[1], n[2], n[3]),
-               TetVolume(n[0], n[1], n[2], n[3]) };
-    }
-  }
-}
-
-/// Least, first percentile and median of unsorted values.
-std::array<double, 3> Percentiles(std::vector<double>& values)
-{
-  if (values.empty())
-  {
-    return { { 1, 1, 1 } };
-  }
-  const auto at = [&](double share)
-  {
-    const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  };
-  return { { *std::min_element(values.begin(), values.end()), at(0.01), at(0.5) } };
-}
-
-/// What is gathered of one material before it becomes its MaterialAudit.
-struct Gathered
-{
-  MaterialAudit audit;
-  long double volume = 0;
-  std::vector<double> tets;
-  std::vector<double> wedges;
-};
-
-MaterialAudit Close(Gathered& g, double gate)
-{
-  MaterialAudit& a = g.audit;
-  a.meshVolume = static_cast<double>(g.volume);
-  a.surfaceVolume = std::numeric_limits<double>::quiet_NaN();
-  const auto above = std::count_if(g.tets.begin(), g.tets.end(), [&](double q) { return q > gate; });
-  a.tetAboveGate = g.tets.empty() ? 1 : static_cast<double>(above) / static_cast<double>(g.tets.size());
-  const auto tets = Percentiles(g.tets);
-  const auto wedges = Percentiles(g.wedges);
-  a.tetQualityMin = tets[0];
-  a.tetQualityP1 = tets[1];
-  a.tetQualityP50 = tets[2];
-  a.wedgeQualityMin = wedges[0];
-  a.wedgeQualityP1 = wedges[1];
-  a.wedgeQualityP50 = wedges[2];
-  return a;
-}
-
-/// Validity, quality and volume of every cell; the materials in ascending order.
-void AuditCells(const VolumeMesh& mesh, const AuditOptions& options, AuditReport& report, AuditMarks& marks,
-                Monitor& monitor)
-{
-  std::vector<double> volumes(mesh.types.size());
-  monitor.For(mesh.CellCount(), Grain,
-              [&](Id begin, Id end)
-              {
-                for (Id c = begin; c < end; ++c)
-                {
-                  const CellMeasure measure = Measure(mesh, c);
-                  const bool isBadTet =
-                    mesh.types[Index(c)] == CellType::Tetrahedron && !(measure.quality > options.qualityGate);
-                  marks.quality[Index(c)] = measure.quality;
-                  marks.flags[Index(c)] = static_cast<unsigned char>((measure.isValid ? 0 : FlagInverted) |
-                                                                     (isBadTet ? FlagBadQuality : 0));
-                  volumes[Index(c)] = measure.volume;
-                }
-              });
-  std::map<int, Gathered> gathered;
-  Places inverted;
-  for (Id c = 0; c < mesh.CellCount(); ++c)
-  {
-    Gathered& g = gathered[mesh.materials[Index(c)]];
-    const CellType type = mesh.types[Index(c)];
-    g.volume += volumes[Index(c)];
-    g.audit.material = mesh.materials[Index(c)];
-    g.audit.tets += type == CellType::Tetrahedron;
-    g.audit.wedges += type == CellType::Wedge;
-    g.audit.pyramids += type == CellType::Pyramid;
-    if (type == CellType::Tetrahedron)
-    {
-      g.tets.push_back(marks.quality[Index(c)]);
-    }
-    else if (type == CellType::Wedge)
-    {
-      g.wedges.push_back(marks.quality[Index(c)]);
-    }
-    if ((marks.flags[Index(c)] & FlagInverted) != 0)
-    {
-      inverted.Add(mesh.points[Index(mesh.Cell(c)[0])]);
-    }
-  }
-  for (auto& entry : gathered)
-  {
-    report.materials.push_back(Close(entry.second, options.qualityGate));
-  }
-  report.invertedCells = inverted.GetCount();
-  inverted.Tell("cells are inverted or without volume somewhere", report.findings);
 }
 
 void AuditPoints(const VolumeMesh& mesh, AuditReport& report)

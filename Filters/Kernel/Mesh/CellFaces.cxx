@@ -64,15 +64,49 @@ void ForFaces(const VolumeMesh& mesh, Visit&& visit)
 std::array<Id, 4> Key(const CellFace& face)
 {
   std::array<Id, 4> key = face.corners;
-  std::sort(key.begin(), key.begin() + (face.IsQuad() ? 4 : 3));
+  const auto order = [&](std::size_t a, std::size_t b)
+  {
+    if (key[b] < key[a])
+    {
+      std::swap(key[a], key[b]);
+    }
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  if (face.IsQuad())
+  {
+    order(2, 3);
+    order(1, 2);
+    order(0, 1);
+  }
   return key;
 }
 
-bool ComesBefore(const CellFace& a, const CellFace& b)
+/// A face with its key, for sorting.
+struct KeyedFace
 {
-  const auto keyA = Key(a);
-  const auto keyB = Key(b);
-  return keyA != keyB ? keyA < keyB : a.cell < b.cell;
+  std::array<Id, 4> key;
+  CellFace face;
+};
+
+bool ComesBefore(const KeyedFace& a, const KeyedFace& b)
+{
+  return a.key != b.key ? a.key < b.key : a.face.cell < b.face.cell;
+}
+
+void SortFaces(CellFace* begin, CellFace* end, std::vector<KeyedFace>& keyed)
+{
+  keyed.clear();
+  for (const CellFace* face = begin; face != end; ++face)
+  {
+    keyed.push_back({ Key(*face), *face });
+  }
+  std::sort(keyed.begin(), keyed.end(), ComesBefore);
+  for (const KeyedFace& entry : keyed)
+  {
+    *begin++ = entry.face;
+  }
 }
 
 } // namespace
@@ -97,12 +131,10 @@ CellFaces FindCellFaces(const VolumeMesh& mesh, Monitor& monitor)
   monitor.For(static_cast<Id>(mesh.points.size()), Grain,
               [&](Id begin, Id end)
               {
-                for (Id p = begin; p < end; ++p)
+                std::vector<KeyedFace> keyed;
+                for (std::size_t p = static_cast<std::size_t>(begin); p < static_cast<std::size_t>(end); ++p)
                 {
-                  const auto at = all.faces.begin();
-                  std::sort(at + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(p)]),
-                            at + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(p) + 1]),
-                            ComesBefore);
+                  SortFaces(all.faces.data() + first[p], all.faces.data() + first[p + 1], keyed);
                 }
               });
   all.startOfPoint.assign(mesh.points.size() + 1, 0);

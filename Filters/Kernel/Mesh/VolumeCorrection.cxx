@@ -199,7 +199,7 @@ struct Motion
   std::vector<double> areaOfSheet;   ///< dV / dheight of the pair's first material
 };
 
-Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph)
+Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const std::vector<char>& frozen)
 {
   Motion motion;
   motion.sheetOfPoint.assign(surface.points.size(), -2);
@@ -218,7 +218,8 @@ Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph)
   }
   for (std::size_t v = 0; v < surface.points.size(); ++v)
   {
-    const bool inner = surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet;
+    const bool inner = (surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet) &&
+      (frozen.empty() || !frozen[v]);
     const double six = Norm(motion.normals[v]); // closed fan: the sum of area vectors is the gradient of 6 V
     if (motion.sheetOfPoint[v] < 0 || !inner || six == 0)
     {
@@ -276,7 +277,8 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, 
 
 } // namespace
 
-double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets)
+double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
+  const std::vector<char>& frozen)
 {
   double worst = 0;
   for (int round = 0; round < 6; ++round)
@@ -293,7 +295,7 @@ double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const s
     {
       break;
     }
-    const Motion motion = MakeMotion(surface, graph);
+    const Motion motion = MakeMotion(surface, graph, frozen);
     const std::vector<double> heights = SolveHeights(graph, motion, wanted);
     for (std::size_t v = 0; v < surface.points.size(); ++v)
     {

@@ -28,7 +28,9 @@ std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::v
 
 /// Move the inner points of every sheet along their normals, all of one sheet by the same small height, so that each
 /// shell encloses its target again: the least such change, by Newton's method. Points of curves, corners and plane
-/// patches stay. Returns the largest remaining volume error relative to the shell's volume.
-double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets);
+/// patches stay, and those flagged in `frozen` (one a point, or empty). Returns the largest remaining volume error
+/// relative to the shell's volume.
+double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
+  const std::vector<char>& frozen = {});
 
 } // namespace lamina

@@ -217,6 +217,14 @@ bool RelaxEdge(const SmoothingState& s, Id a, Id b, double weight, Relaxation& r
   LaplacianMoves(s, a, b, da, db);
   da = freedom.Project(weight * da);
   db = freedom.Project(weight * db);
+  // Inside a plane patch no move in the plane changes a volume.
+  const unsigned char kindA = s.surface.junctionKind[static_cast<std::size_t>(a)];
+  if (kindA == (JunctionSheet | JunctionInBorderPlane) &&
+    (b < 0 || s.surface.junctionKind[static_cast<std::size_t>(b)] == kindA))
+  {
+    relaxation = { a, b, da, db };
+    return true;
+  }
   const unsigned char sheet = JunctionSheet;
   if (b >= 0 && s.surface.junctionKind[static_cast<std::size_t>(a)] == sheet &&
     s.surface.junctionKind[static_cast<std::size_t>(b)] == sheet)

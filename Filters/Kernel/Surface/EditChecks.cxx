@@ -21,8 +21,9 @@ constexpr double leastVisibility = 0.45; ///< cosine between a node's best direc
 
 bool EditableSurface::IsSound(const Edit& edit) const
 {
-  return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit) && this->IsNearInput(edit) &&
-    this->IsClearOfOthers(edit);
+  bool allVisible = true;
+  return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit, allVisible) && this->IsNearInput(edit) &&
+    this->IsClearOfOthers(edit) && (allVisible || this->IsClearOfItself(edit));
 }
 
 bool EditableSurface::HasGoodShapes(const Edit& edit) const
@@ -41,7 +42,8 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
   return !edit.added.empty();
 }
 
-/// Middles and edges of the new triangles lie near the input.
+/// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first edge of
+/// one triangle, and the edges opposite to it are old.
 bool EditableSurface::IsNearInput(const Edit& edit) const
 {
   for (const Added& t : edit.added)
@@ -49,10 +51,18 @@ bool EditableSurface::IsNearInput(const Edit& edit) const
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
-    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c)) || !this->Input.IsNear(t.sheet, 0.5 * (a + b)) ||
-      !this->Input.IsNear(t.sheet, 0.5 * (b + c)) || !this->Input.IsNear(t.sheet, 0.5 * (c + a)))
+    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c)))
     {
       return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
+      if (test &&
+        !this->Input.IsNear(t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3]))))
+      {
+        return false;
+      }
     }
   }
   return true;
@@ -74,6 +84,12 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit) const
       return false;
     }
   }
+  return true;
+}
+
+/// The new triangles do not meet one another either. Where a direction sees all faces of every node they cannot.
+bool EditableSurface::IsClearOfItself(const Edit& edit) const
+{
   for (std::size_t i = 0; i < edit.added.size(); ++i)
   {
     for (std::size_t j = i + 1; j < edit.added.size(); ++j)
@@ -158,7 +174,7 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
   return least;
 }
 
-bool EditableSurface::KeepsNodesVisible(const Edit& edit) const
+bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
 {
   std::vector<Id> nodes;
   for (const Added& t : edit.added)
@@ -172,6 +188,7 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit) const
     // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new: the old
     // value is only approximate for a moved point, which errs on the strict side.)
     const double after = this->Visibility(p, &edit);
+    allVisible = allVisible && after >= leastVisibility;
     if (after < leastVisibility && after < this->Visibility(p, nullptr))
     {
       return false;

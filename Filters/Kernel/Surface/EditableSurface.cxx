@@ -310,6 +310,7 @@ bool EditableSurface::MergeInto(Id gone, Id kept, const std::vector<Id>& shared,
     edit.added.push_back({ corners, this->Sheets[U(t)], normal });
   }
   edit.leastQuality = std::min(0.3, worst + (anyLength ? 1e-6 : 0));
+  edit.centre = moves ? kept : -1;
   const Vec3 before = this->Point(kept);
   const double target = this->Target(kept);
   this->Points[U(kept)] = place;
@@ -405,6 +406,7 @@ bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
       { this->Corners(t), this->Sheets[U(t)], Normalized(AreaVector2(this->Points, this->Corners(t))) });
   }
   edit.leastQuality = leastQuality;
+  edit.centre = p;
   const Vec3 before = this->Point(p);
   this->Points[U(p)] = place;
   const bool sound = this->IsSound(edit);
@@ -467,7 +469,7 @@ bool EditableSurface::Relax(Id p)
   {
     worst = std::min(worst, this->Quality(t));
   }
-  if (Norm(move) < 0.01 * this->Target(p))
+  if (Norm(move) < 0.03 * this->Target(p))
   {
     return false;
   }

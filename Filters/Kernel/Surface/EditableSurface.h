@@ -66,6 +66,7 @@ private:
     std::vector<Id> removed; ///< ascending
     std::vector<Added> added;
     double leastQuality = 0; ///< no added triangle may be worse
+    Id centre = -1;          ///< the corner that all added triangles share, if there is one
   };
 
   bool IsFeature(const std::vector<Id>& triangles) const;
@@ -81,7 +82,8 @@ private:
   bool HasGoodShapes(const Edit& edit) const;
   bool IsNearInput(const Edit& edit) const;
   bool IsClearOfOthers(const Edit& edit) const;
-  bool KeepsNodesVisible(const Edit& edit) const;
+  bool IsClearOfItself(const Edit& edit) const;
+  bool KeepsNodesVisible(const Edit& edit, bool& allVisible) const;
   double Visibility(Id p, const Edit* edit) const;
 
   Box BoxOf(const Triangle& t) const;

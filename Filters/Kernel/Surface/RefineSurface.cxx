@@ -263,6 +263,10 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
         bad.push_back({ this->Surface.Quality(t), t });
       }
     }
+    if (bad.empty() || this->Watch.Cancelled())
+    {
+      return;
+    }
     std::sort(bad.begin(), bad.end());
     for (const auto& item : bad)
     {
@@ -285,7 +289,16 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
       report.merges += merged ? 1 : 0;
     }
     this->SwapAll(report);
-    this->RelaxAll();
+    for (const auto& item : bad)
+    {
+      if (this->Surface.IsAlive(item.second))
+      {
+        for (Id p : Triangle(this->Surface.Corners(item.second)))
+        {
+          this->Surface.Relax(p);
+        }
+      }
+    }
   }
 }
 
@@ -339,6 +352,42 @@ std::optional<Error> CheckEmbedded(const TriangleComplex& surface, const char* w
     places);
 }
 
+/// The correction moves points a little: where that makes triangles meet, their points are left out of it.
+void RestoreWithoutIntersections(
+  TriangleComplex& surface, const SheetGraph& sheets, const std::vector<double>& targets, Monitor& monitor)
+{
+  const std::vector<Vec3> start = surface.points;
+  std::vector<char> frozen(surface.points.size(), 0);
+  const Lists star = TrianglesOfPoints(static_cast<Id>(start.size()), surface.triangles);
+  for (int round = 0; round < 8; ++round)
+  {
+    RestoreVolumes(surface, sheets, targets, frozen);
+    const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
+    if (pairs.empty())
+    {
+      return;
+    }
+    surface.points = start;
+    for (const auto& pair : pairs)
+    {
+      for (Id t : pair)
+      {
+        for (Id p : surface.triangles[static_cast<std::size_t>(t)])
+        {
+          for (Id near : Row(star, p))
+          {
+            for (Id q : surface.triangles[static_cast<std::size_t>(near)])
+            {
+              frozen[static_cast<std::size_t>(q)] = 1;
+            }
+          }
+        }
+      }
+    }
+  }
+  // Better a small error of volume, which the report tells, than an intersection.
+}
+
 void Measure(const TriangleComplex& surface, RefineSurfaceReport& report)
 {
   report.triangles = static_cast<Id>(surface.triangles.size());
@@ -360,9 +409,10 @@ void Measure(const TriangleComplex& surface, RefineSurfaceReport& report)
   }
   report.edgesInRange = edges > 0 ? static_cast<double>(inRange) / static_cast<double>(edges) : 1;
   const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
+  const std::vector<int> materials = MaterialsOf(surface);
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
-    for (int material : MaterialsOf(surface))
+    for (int material : materials)
     {
       std::vector<Vec3> normals;
       for (Id t : Row(star, static_cast<Id>(p)))
@@ -424,12 +474,7 @@ Result<RefineSurfaceReport> RefineSurface(
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;
   editable.Write(refined);
-  const TriangleComplex uncorrected = refined;
-  RestoreVolumes(refined, editable.WrittenSheets(), targets);
-  if (CheckEmbedded(refined, "", monitor))
-  {
-    refined = uncorrected; // better a small error of volume, which is reported, than an intersection
-  }
+  RestoreWithoutIntersections(refined, editable.WrittenSheets(), targets, monitor);
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -19,7 +19,7 @@ namespace
 /// Sweeps between two measurements of the clearances: few at first, while the staircase holds sheets close together.
 int SweepsOfPhase(int done)
 {
-  return done < 6 ? 2 : 5;
+  return done < 4 ? 2 : (done < 10 ? 6 : 10);
 }
 
 constexpr int halvings = 2;      ///< a refused move is tried again at half its weight this often
@@ -129,11 +129,13 @@ std::vector<std::vector<Edge>> Colour(const SmoothingState& s, const std::vector
 class Smoother
 {
 public:
-  Smoother(TriangleComplex& surface, const SmoothSurfaceOptions& options, double unit)
+  /// `careful`: certify every phase by the exact test and roll back what intersects.
+  Smoother(TriangleComplex& surface, const SmoothSurfaceOptions& options, double unit, bool careful)
     : State(surface)
     , Guard(this->State, options.largestDrift * unit)
     , Options(options)
     , Unit(unit)
+    , Careful(careful)
     , Classes(Colour(this->State, ChooseEdges(this->State)))
   {
   }
@@ -149,6 +151,7 @@ private:
   MoveGuard Guard;
   const SmoothSurfaceOptions& Options;
   double Unit;
+  bool Careful;
   std::vector<std::vector<Edge>> Classes;
 };
 
@@ -237,7 +240,9 @@ Id Smoother::RollBack(Monitor& monitor)
 bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
 {
   TriangleComplex& surface = this->State.surface;
-  std::vector<double> radii = PointClearances(surface.points, surface.triangles, this->Unit, monitor);
+  // Later moves are short: they need no wide berth, and measuring one costs time.
+  const double reach = report.sweepsDone < 4 ? this->Unit : 0.6 * this->Unit;
+  std::vector<double> radii = PointClearances(surface.points, surface.triangles, reach, monitor);
   for (double& r : radii)
   {
     r *= 0.45;
@@ -254,6 +259,10 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
     }
     ++report.sweepsDone;
     monitor.Progress(static_cast<double>(report.sweepsDone) / this->Options.sweeps, "smoothing");
+  }
+  if (!this->Careful)
+  {
+    return !monitor.Cancelled();
   }
   const Id rolled = this->RollBack(monitor);
   report.pointsRolledBack += rolled;
@@ -309,13 +318,25 @@ Result<SmoothSurfaceReport> SmoothSurface(
     }
     const SheetGraph graph = MakeSheetGraph(surface);
     const std::vector<double> targets = ShellVolumes(surface, graph);
-    Smoother smoother(surface, options, unit);
-    while (report.sweepsDone < options.sweeps)
+    // The bounds on moves have never failed to keep surfaces apart so far, but only the exact test proves it: where it
+    // finds fault, all is done again with a test after every phase.
+    const std::vector<Vec3> start = surface.points;
+    for (bool careful : { false, true })
     {
-      const int sweeps = std::min(SweepsOfPhase(report.sweepsDone), options.sweeps - report.sweepsDone);
-      if (!smoother.Phase(sweeps, report, monitor))
+      surface.points = start;
+      report.sweepsDone = 0;
+      Smoother smoother(surface, options, unit, careful);
+      while (report.sweepsDone < options.sweeps)
       {
-        return Cancelled();
+        const int sweeps = std::min(SweepsOfPhase(report.sweepsDone), options.sweeps - report.sweepsDone);
+        if (!smoother.Phase(sweeps, report, monitor))
+        {
+          return Cancelled();
+        }
+      }
+      if (FindIntersections(surface.points, surface.triangles, monitor).empty())
+      {
+        break;
       }
     }
     RestoreVolumes(surface, graph, targets); // rounding errors of millions of moves

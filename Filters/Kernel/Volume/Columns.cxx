@@ -158,16 +158,17 @@ void Growth::SetHeights()
         continue;
       }
       const Vec3& m = this->C.direction[U(v)];
-      const auto hit = tree.FirstHit(this->W.points[U(v)], m, 1e-6 * this->WallEdge(v),
-        std::numeric_limits<double>::infinity(), [&](Id t) {
+      double thickness = std::numeric_limits<double>::infinity();
+      if (!this->W.thickness.empty() && this->W.thickness[U(v)] > 0)
+      {
+        thickness = this->W.thickness[U(v)];
+      }
+      const auto hit =
+        tree.FirstHit(this->W.points[U(v)], m, 1e-6 * this->WallEdge(v), thickness, [&](Id t) {
           const Triangle& c = this->W.triangles[U(t)];
           return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
         });
-      double thickness = hit.t;
-      if (!this->W.thickness.empty() && std::isfinite(this->W.thickness[U(v)]))
-      {
-        thickness = std::min(thickness, this->W.thickness[U(v)]);
-      }
+      thickness = std::min(thickness, hit.t);
       this->C.wanted[U(v)] = std::isfinite(thickness) ? this->Options.share * thickness : 0;
     }
   });

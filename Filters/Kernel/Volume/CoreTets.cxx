@@ -3,10 +3,8 @@
 
 #include "../Geometry/Predicates.h"
 #include "../Geometry/Quality.h"
-#include "../Mesh/Closedness.h"
-#include "../Mesh/TetFaces.h"
-#include "../Search/SelfIntersection.h"
 #include "ChildProcess.h"
+#include "CoreTetsInput.h"
 #include "ImproveTets.h"
 #include "TetGenRun.h"
 #include "TetRegions.h"
@@ -25,80 +23,16 @@ using Tet = std::array<Id, 4>;
 constexpr double TetsPerTriangle = 4;
 constexpr double TetsPerSecond = 20000;
 constexpr double QualityGate = 0.1;
+constexpr double RadiusOfEdge = 0.61237243569579447; ///< of a regular tet
 
 std::size_t Index(Id id)
 {
   return static_cast<std::size_t>(id);
 }
 
-std::optional<Error> CheckOptions(const CoreTetsOptions& o)
-{
-  // Written so that NaN fails.
-  if (!(o.radiusEdgeRatio >= 1.2 && o.radiusEdgeRatio <= 100))
-  {
-    return InvalidOption("radiusEdgeRatio is " + std::to_string(o.radiusEdgeRatio) +
-                         ", but must be in [1.2, 100]");
-  }
-  if (!(o.sizeFactor > 0 && std::isfinite(o.sizeFactor)))
-  {
-    return InvalidOption("sizeFactor is " + std::to_string(o.sizeFactor) + ", but must be above 0");
-  }
-  if (!(o.maximumEdge >= 0 && std::isfinite(o.maximumEdge)))
-  {
-    return InvalidOption("maximumEdge is " + std::to_string(o.maximumEdge) +
-                         ", but must be a length, or 0 for no limit");
-  }
-  return std::nullopt;
-}
-
-std::vector<Vec3> CentresOf(const TriangleComplex& surface, const std::vector<Id>& triangles)
-{
-  std::vector<Vec3> centres;
-  for (Id t : triangles)
-  {
-    Vec3 sum;
-    for (Id p : surface.triangles[Index(t)])
-    {
-      sum += surface.points[Index(p)];
-    }
-    centres.push_back(sum * (1.0 / 3));
-  }
-  return centres;
-}
-
-/// What can be told before TetGen is asked: closed, and free of intersections.
-std::optional<Error> CheckSurface(const TriangleComplex& surface, const std::vector<Vec3>& interior,
-                                  CoreTetsReport& report, Monitor& monitor)
-{
-  if (auto error = CheckClosed(surface, false, monitor))
-  {
-    return error;
-  }
-  if (!std::all_of(interior.begin(), interior.end(), IsFinite))
-  {
-    return InvalidInput("an interior point is not a finite position");
-  }
-  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-  if (pairs.empty() || monitor.Cancelled())
-  {
-    return std::nullopt;
-  }
-  for (const auto& pair : pairs)
-  {
-    report.offendingTriangles.insert(report.offendingTriangles.end(), pair.begin(), pair.end());
-  }
-  auto& offending = report.offendingTriangles;
-  std::sort(offending.begin(), offending.end());
-  offending.erase(std::unique(offending.begin(), offending.end()), offending.end());
-  const auto places = CentresOf(surface, offending);
-  return InvalidInput("the surface intersects itself (" + std::to_string(pairs.size()) +
-                        (pairs.size() == 1 ? " pair" : " pairs") + " of triangles)" + DescribePlaces(places) +
-                        ": smooth it again with less drift, or thin the layers there",
-                      places);
-}
-
-/// The longest edge wanted near each point of the surface.
-std::vector<double> EdgesWanted(const TriangleComplex& surface, const CoreTetsOptions& options)
+/// The longest edge wanted near each point of the surface, as the circumradius of a regular tet, which is
+/// what TetGen compares with.
+std::vector<double> SizesWanted(const TriangleComplex& surface, const CoreTetsOptions& options)
 {
   std::vector<double> wanted(surface.points.size(), 0);
   std::vector<int> count(surface.points.size(), 0);
@@ -122,7 +56,7 @@ std::vector<double> EdgesWanted(const TriangleComplex& surface, const CoreTetsOp
       wanted[p] = surface.targetEdgeLength[p];
     }
     wanted[p] *= options.sizeFactor;
-    wanted[p] = options.maximumEdge > 0 ? std::min(wanted[p], options.maximumEdge) : wanted[p];
+    wanted[p] = RadiusOfEdge * std::min(wanted[p], options.maximumEdge);
   }
   return wanted;
 }
@@ -137,7 +71,7 @@ TetGenTask MakeTask(const TriangleComplex& surface, const std::vector<Vec3>& int
   task.holes = FindHoles(surface);
   if (options.maximumEdge > 0)
   {
-    task.sizes = EdgesWanted(surface, options);
+    task.sizes = SizesWanted(surface, options);
   }
   char ratio[32];
   std::snprintf(ratio, sizeof ratio, "%.6g", options.radiusEdgeRatio);
@@ -266,7 +200,7 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
                            CoreTetsReport& report)
 {
   monitor.Progress(0, "Checking the surface");
-  if (auto error = CheckSurface(surface, interior, report, monitor))
+  if (auto error = CheckCoreSurface(surface, interior, report, monitor))
   {
     return *error;
   }
@@ -316,7 +250,7 @@ Result<CoreTetsReport> MeshCoreTets(const TriangleComplex& surface, const std::v
                                     CoreTetsReport* onFailure)
 {
   CoreTetsReport report;
-  if (auto error = CheckOptions(options))
+  if (auto error = CheckCoreOptions(options))
   {
     return *error;
   }

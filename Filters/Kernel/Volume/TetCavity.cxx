@@ -229,23 +229,13 @@ bool TetCavity::FindRing(Id a, Id b, int group, std::vector<Id>& out, std::vecto
   return false;
 }
 
-void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
+double TetCavity::Triangulate(const std::vector<Id>& ring, Id a, Id b, double floor,
+                              std::vector<Tet>& in) const
 {
-  if (!this->IsKnown(a))
-  {
-    return;
-  }
-  Change change;
-  std::vector<Id> ring;
-  if (!this->FindRing(a, b, this->Set.groups[Index(tet)], change.out, ring) || ring.size() < 3)
-  {
-    return;
-  }
-  // The ring's best triangulation: from[i][j] is the best for the polygon i..j, each triangle carrying a tet
-  // to either end of the edge.
+  // least[i][j] is the best that the polygon from i to j of the ring can have, each of its triangles carrying
+  // a tet to either end of the edge.
   const std::size_t n = ring.size();
-  const double floor = std::max(best.quality, this->LeastOf(change.out) + LeastGain);
-  std::array<std::array<double, LongestRing>, LongestRing> from;
+  std::array<std::array<double, LongestRing>, LongestRing> least;
   std::array<std::array<std::size_t, LongestRing>, LongestRing> middle{};
   const auto tetsOn = [&](std::size_t i, std::size_t k, std::size_t j)
   {
@@ -258,34 +248,27 @@ void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
     {
       const std::size_t j = i + span;
       const bool isNew = span > 1 && span < n - 1;
-      from[i][j] = span == 1 ? 1 : -1;
-      if (span == 1 || (isNew && !this->Allows(ring[i], ring[j])))
+      const bool isAllowed = !isNew || this->Allows(ring[i], ring[j]);
+      least[i][j] = span == 1 ? 1 : -1;
+      for (std::size_t k = i + 1; k < j && isAllowed; ++k)
       {
-        continue;
-      }
-      for (std::size_t k = i + 1; k < j; ++k)
-      {
-        const double below = std::min(from[i][k], from[k][j]);
-        if (below <= std::max(floor, from[i][j]))
+        const double below = std::min(least[i][k], least[k][j]);
+        if (below <= std::max(floor, least[i][j]))
         {
           continue;
         }
         const auto pair = tetsOn(i, k, j);
         const double quality = std::min({ below, this->Quality(pair[0]), this->Quality(pair[1]) });
-        if (quality > from[i][j])
+        if (quality > least[i][j])
         {
-          from[i][j] = quality;
+          least[i][j] = quality;
           middle[i][j] = k;
         }
       }
     }
   }
-  if (from[0][n - 1] <= floor)
-  {
-    return;
-  }
   std::vector<std::array<std::size_t, 2>> open{ { { 0, n - 1 } } };
-  while (!open.empty())
+  while (!open.empty() && least[0][n - 1] > floor)
   {
     const auto [i, j] = open.back();
     open.pop_back();
@@ -293,116 +276,30 @@ void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
     {
       const std::size_t k = middle[i][j];
       const auto pair = tetsOn(i, k, j);
-      change.in.insert(change.in.end(), pair.begin(), pair.end());
+      in.insert(in.end(), pair.begin(), pair.end());
       open.push_back({ { i, k } });
       open.push_back({ { k, j } });
     }
   }
-  if (this->IsSound(change.in))
+  return least[0][n - 1];
+}
+
+void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
+{
+  Change change;
+  std::vector<Id> ring;
+  if (!this->IsKnown(a) || !this->FindRing(a, b, this->Set.groups[Index(tet)], change.out, ring) ||
+      ring.size() < 3)
   {
-    change.quality = from[0][n - 1];
+    return;
+  }
+  const double floor = std::max(best.quality, this->LeastOf(change.out) + LeastGain);
+  change.quality = this->Triangulate(ring, a, b, floor, change.in);
+  if (change.quality > floor && this->IsSound(change.in))
+  {
     change.kind = Done::EdgeRemoved;
     best = std::move(change);
   }
-}
-
-Id TetCavity::MovePoints(Id tet)
-{
-  Id moved = 0;
-  const Tet own = this->Set.tets[Index(tet)];
-  for (Id p : own)
-  {
-    if (this->Set.fixed[Index(p)] == 0 && this->IsKnown(p) && this->IsInterior(p))
-    {
-      moved += this->MovePoint(p);
-    }
-  }
-  return moved;
-}
-
-bool TetCavity::IsInterior(Id point) const
-{
-  // All round it one group, and the faces away from it close: each of their edges runs both ways.
-  std::vector<std::array<Id, 2>> edges;
-  const auto& star = this->TetsOf(point);
-  for (Id t : star)
-  {
-    const Tet& tet = this->Set.tets[Index(t)];
-    if (this->Set.groups[Index(t)] != this->Set.groups[Index(star.front())])
-    {
-      return false;
-    }
-    const Triangle face = TetFace(tet, Index(std::find(tet.begin(), tet.end(), point) - tet.begin()));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      edges.push_back({ { face[k], face[(k + 1) % 3] } });
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return std::all_of(
-    edges.begin(), edges.end(),
-    [&](const auto& e) {
-      return std::binary_search(edges.begin(), edges.end(), std::array<Id, 2>{ { e[1], e[0] } });
-    });
-}
-
-bool TetCavity::MovePoint(Id point)
-{
-  const auto& star = this->TetsOf(point);
-  Vec3& place = this->Set.points[Index(point)];
-  const Vec3 start = place;
-  double edge = std::numeric_limits<double>::infinity();
-  Vec3 centre;
-  for (Id t : star)
-  {
-    for (Id p : this->Set.tets[Index(t)])
-    {
-      centre += this->Set.points[Index(p)];
-      edge = p == point ? edge : std::min(edge, Norm(this->Set.points[Index(p)] - start));
-    }
-  }
-  centre = centre * (1.0 / (4.0 * static_cast<double>(star.size())));
-  const double before = this->LeastOf(star);
-  double least = before;
-  const auto attempt = [&](const Vec3& to)
-  {
-    const Vec3 from = place;
-    place = to;
-    const double now = this->LeastOf(star);
-    if (now > least + LeastGain)
-    {
-      least = now;
-      return true;
-    }
-    place = from;
-    return false;
-  };
-  attempt(centre) || attempt(0.5 * (start + centre));
-  // A pattern search: the least quality of a star is not smooth, so slopes tell little.
-  double step = 0.3 * edge;
-  for (int halvings = 0; halvings < 7;)
-  {
-    bool isBetter = false;
-    for (int k = 0; k < 6; ++k)
-    {
-      Vec3 to = place;
-      to[k / 2] += k % 2 == 0 ? step : -step;
-      isBetter = attempt(to) || isBetter;
-    }
-    halvings += isBetter ? 0 : 1;
-    step *= isBetter ? 1 : 0.5;
-  }
-  std::vector<Tet> tets;
-  for (Id t : star)
-  {
-    tets.push_back(this->Set.tets[Index(t)]);
-  }
-  if (!(place == start) && this->IsSound(tets))
-  {
-    return true;
-  }
-  place = start;
-  return false;
 }
 
 } // namespace lamina

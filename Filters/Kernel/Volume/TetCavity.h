@@ -41,6 +41,9 @@ private:
   };
   void RemoveEdge(Id tet, Id a, Id b, Change& best) const;
   void FlipFace(Id tet, std::size_t opposite, Change& best) const;
+  /// The best tets instead of a ring of them round edge (a, b), and their least quality; none if not above
+  /// `floor`.
+  double Triangulate(const std::vector<Id>& ring, Id a, Id b, double floor, std::vector<Tet>& in) const;
   bool FindRing(Id a, Id b, int group, std::vector<Id>& out, std::vector<Id>& ring) const;
   bool IsInterior(Id point) const;
   bool MovePoint(Id point);

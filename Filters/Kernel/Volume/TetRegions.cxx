@@ -128,6 +128,69 @@ void DropBackground(TetSet& set)
   set.groups.resize(to);
 }
 
+/// Gives the tets at walls their material and notes which of their faces are walls; the tets are queued.
+std::optional<Error> SeedAtWalls(TetSet& set, Walls& walls, std::vector<char>& isWall, std::vector<Id>& queue)
+{
+  for (Id t = 0; t < static_cast<Id>(set.tets.size()); ++t)
+  {
+    int& own = set.groups[Index(t)];
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Triangle face = TetFace(set.tets[Index(t)], k);
+      const Id wall = walls.Find(face);
+      if (wall < 0)
+      {
+        continue;
+      }
+      isWall[4 * Index(t) + k] = 1;
+      const int material = walls.Behind(wall, face);
+      if (own != Unknown && own != material)
+      {
+        return Unreachable("the triangles round a tetrahedron disagree on its material",
+                           { set.points[Index(face[0])] });
+      }
+      if (own == Unknown)
+      {
+        queue.push_back(t);
+        own = material;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Carries the materials from the queued tets to all that no wall parts from them.
+std::optional<Error> Spread(TetSet& set, const std::vector<std::array<Id, 4>>& neighbours,
+                            const std::vector<char>& isWall, std::vector<Id>& queue)
+{
+  while (!queue.empty())
+  {
+    const Id t = queue.back();
+    queue.pop_back();
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Id other = neighbours[Index(t)][k];
+      if (other < 0 || isWall[4 * Index(t) + k] != 0)
+      {
+        continue;
+      }
+      if (set.groups[Index(other)] == Unknown)
+      {
+        set.groups[Index(other)] = set.groups[Index(t)];
+        queue.push_back(other);
+      }
+      else if (set.groups[Index(other)] != set.groups[Index(t)])
+      {
+        return InvalidInput(
+          "two materials meet without a triangle between them: the pieces of the surface do not "
+          "fit into each other",
+          { set.points[Index(set.tets[Index(t)][0])] });
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 std::vector<Vec3> FindHoles(const TriangleComplex& surface)
@@ -179,29 +242,9 @@ std::optional<Error> AssignRegions(const TriangleComplex& surface, TetSet& set, 
   set.groups.assign(set.tets.size(), Unknown);
   std::vector<char> isWall(4 * set.tets.size(), 0);
   std::vector<Id> queue;
-  for (Id t = 0; t < static_cast<Id>(set.tets.size()); ++t)
+  if (auto error = SeedAtWalls(set, walls, isWall, queue))
   {
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const Triangle face = TetFace(set.tets[Index(t)], k);
-      const Id wall = walls.Find(face);
-      if (wall < 0)
-      {
-        continue;
-      }
-      isWall[4 * Index(t) + k] = 1;
-      const int material = walls.Behind(wall, face);
-      if (set.groups[Index(t)] != Unknown && set.groups[Index(t)] != material)
-      {
-        return Unreachable("the triangles round a tetrahedron disagree on its material",
-                           { set.points[Index(face[0])] });
-      }
-      if (set.groups[Index(t)] == Unknown)
-      {
-        queue.push_back(t);
-        set.groups[Index(t)] = material;
-      }
-    }
+    return error;
   }
   const auto lost = walls.FindLost();
   if (!lost.empty())
@@ -211,30 +254,9 @@ std::optional<Error> AssignRegions(const TriangleComplex& surface, TetSet& set, 
                          DescribePlaces(lost),
                        lost);
   }
-  while (!queue.empty())
+  if (auto error = Spread(set, neighbours, isWall, queue))
   {
-    const Id t = queue.back();
-    queue.pop_back();
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const Id other = neighbours[Index(t)][k];
-      if (other < 0 || isWall[4 * Index(t) + k] != 0)
-      {
-        continue;
-      }
-      if (set.groups[Index(other)] == Unknown)
-      {
-        set.groups[Index(other)] = set.groups[Index(t)];
-        queue.push_back(other);
-      }
-      else if (set.groups[Index(other)] != set.groups[Index(t)])
-      {
-        return InvalidInput(
-          "two materials meet without a triangle between them: the pieces of the surface do not "
-          "fit into each other",
-          { set.points[Index(set.tets[Index(t)][0])] });
-      }
-    }
+    return error;
   }
   DropBackground(set);
   return std::nullopt;
