@@ -56,10 +56,16 @@ class Pipeline:
         self.stopped = False
         self.scratch = None
         self.running = None
-        self.messages = vtkStringOutputWindow()
-        vtkOutputWindow.SetInstance(self.messages)
+        # pvpython prints through VTK's window of messages, which is caught here: print past it.
+        sys.stdout = open(1, "w", buffering=1, closefd=False)
+        sys.stderr = open(2, "w", buffering=1, closefd=False)
+        self.catch_messages()
 
     # Running one stage -----------------------------------------------------------------------------------------------
+
+    def catch_messages(self):
+        self.messages = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self.messages)
 
     def begin(self, name):
         self.stage = name
@@ -103,7 +109,7 @@ class Pipeline:
         tags = [(source, source.AddObserver(event, call)) for source, event, call in (
             (algorithm, "ErrorEvent", on_error), (algorithm.GetExecutive(), "ErrorEvent", on_error),
             (algorithm, "ProgressEvent", on_progress))]
-        self.messages.Initialize()
+        self.catch_messages()
         self.running = algorithm
         proxy.UpdatePipeline()
         self.running = None
