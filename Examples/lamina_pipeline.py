@@ -15,7 +15,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
@@ -60,6 +60,7 @@ class Pipeline:
         # pvpython prints through VTK's window of messages, which is caught here: print past it.
         sys.stdout = open(1, "w", buffering=1, closefd=False)
         sys.stderr = open(2, "w", buffering=1, closefd=False)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # warnings are told below, once
         self.catch_messages()
 
     # Running one stage -----------------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of a result: xvfb-run -a pvpython pictures.py FOLDER [IMAGE]
+"""Pictures of a result: xvfb-run -a pvpython pictures.py FOLDER
 
 Reads labels.vti, surface.vtp and mesh.vtu of FOLDER and leaves slice.png (the image's middle slice and its materials),
 surface.png (coloured by FeatureSize), mesh.png (the whole mesh) and cut.png (prisms, core and layered tets) there.
@@ -17,9 +17,20 @@ def open_view():
     view = simple.CreateView("RenderView")
     view.ViewSize = SIZE
     view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1, 1, 1]
     return view
+
+
+def look_along(view, bounds, direction, zoom=1.0):
+    """Look at a box along y or from the front, without perspective, so that it fills the picture."""
+    centre = [0.5 * (bounds[2 * a] + bounds[2 * a + 1]) for a in range(3)]
+    extent = [bounds[2 * a + 1] - bounds[2 * a] for a in range(3)]
+    far = 4 * max(extent)
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c - far * d for c, d in zip(centre, direction)]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraParallelScale = 0.53 * max(extent[2], max(extent[:2]) * SIZE[1] / SIZE[0]) / zoom
+    simple.Render(view)
 
 
 def save(view, path):
@@ -29,18 +40,11 @@ def save(view, path):
         raise RuntimeError(f"{path} could not be drawn or written; is there an X server, and room on the disk?")
 
 
-def look_from_front(view):
-    view.ResetCamera()
-    view.CameraFocalPoint = list(view.CameraFocalPoint)
-    focus = list(view.CameraFocalPoint)
-    reach = view.CameraParallelScale * 4
-    view.CameraPosition = [focus[0] - 0.45 * reach, focus[1] - 0.85 * reach, focus[2] + 0.3 * reach]
-    view.CameraViewUp = [0, 0, 1]
-    view.ResetCamera()
-    simple.Render(view)
+FRONT = (0.4, 0.85, -0.25)
+BACKWARDS = (0, 1, 0)
 
 
-def draw_slice(folder, target, image):
+def draw_slice(folder, target):
     view = open_view()
     labels = simple.XMLImageDataReader(FileName=[os.path.join(folder, "labels.vti")])
     labels.UpdatePipeline()
@@ -60,18 +64,14 @@ def draw_slice(folder, target, image):
         shown.RescaleTransferFunctionToDataRange(False)
         simple.GetColorTransferFunction(name).ApplyPreset(
             "Grayscale" if name == grey and name != "MaterialIds" else "Cool to Warm", True)
-    view.ResetCamera()
-    focus = list(view.CameraFocalPoint)
-    view.CameraPosition = [focus[0], focus[1] - 4 * width, focus[2]]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraParallelProjection = 1
-    view.ResetCamera()
+    look_along(view, [bounds[0], bounds[0] + 2.05 * width] + list(bounds[2:]), BACKWARDS)
     save(view, os.path.join(target, "slice.png"))
 
 
 def draw_surface(folder, target):
     view = open_view()
     surface = simple.XMLPolyDataReader(FileName=[os.path.join(folder, "surface.vtp")])
+    surface.UpdatePipeline()
     shown = simple.Show(surface, view)
     shown.Representation = "Surface With Edges"
     shown.EdgeColor = [0.3, 0.3, 0.3]
@@ -79,19 +79,21 @@ def draw_surface(folder, target):
     simple.ColorBy(shown, ("POINTS", "FeatureSize"))
     shown.RescaleTransferFunctionToDataRange(False)
     shown.SetScalarBarVisibility(view, True)
-    look_from_front(view)
+    look_along(view, surface.GetDataInformation().GetBounds(), FRONT)
     save(view, os.path.join(target, "surface.png"))
 
 
 def draw_mesh(folder, target):
     mesh = simple.XMLUnstructuredGridReader(FileName=[os.path.join(folder, "mesh.vtu")])
+    mesh.UpdatePipeline()
     view = open_view()
     shown = simple.Show(mesh, view)
     shown.Representation = "Surface With Edges"
     shown.EdgeColor = [0.2, 0.2, 0.2]
     shown.LineWidth = 0.5
     simple.ColorBy(shown, ("CELLS", "MaterialIds"))
-    look_from_front(view)
+    simple.GetColorTransferFunction("MaterialIds").RGBPoints = [1, 0.85, 0.6, 0.5, 2, 0.75, 0.1, 0.1]
+    look_along(view, mesh.GetDataInformation().GetBounds(), FRONT)
     save(view, os.path.join(target, "mesh.png"))
 
     view = open_view()
@@ -99,8 +101,9 @@ def draw_mesh(folder, target):
     cut = simple.ExtractCellsByRegion(Input=mesh)
     cut.IntersectWith = "Plane"
     cut.IntersectWith.Origin = [0.5 * (bounds[2 * a] + bounds[2 * a + 1]) for a in range(3)]
-    cut.IntersectWith.Normal = [0, -1, 0]
-    cut.Extractionside = "outside"
+    cut.IntersectWith.Normal = [0, 1, 0]
+    cut.ExtractionSide = "outside"
+    cut.Extractintersected = 1
     kinds = simple.Calculator(Input=cut, AttributeType="Cell Data", ResultArrayName="MaterialAndLayer",
                               Function="MaterialIds*10+LayerIds")
     shown = simple.Show(kinds, view)
@@ -109,17 +112,13 @@ def draw_mesh(folder, target):
     shown.LineWidth = 0.5
     simple.ColorBy(shown, ("CELLS", "MaterialAndLayer"))
     shown.RescaleTransferFunctionToDataRange(False)
-    view.ResetCamera()
-    focus = list(view.CameraFocalPoint)
-    view.CameraPosition = [focus[0], focus[1] - 100 * view.CameraParallelScale, focus[2]]
-    view.CameraViewUp = [0, 0, 1]
-    view.ResetCamera()
-    view.GetActiveCamera().Zoom(1.2)
+    look_along(view, bounds, BACKWARDS)
     save(view, os.path.join(target, "cut.png"))
 
 
-def draw(folder, target, image=None):
-    draw_slice(folder, target, image)
+def draw(folder, target):
+    simple.LoadPalette("WhiteBackground")
+    draw_slice(folder, target)
     draw_surface(folder, target)
     draw_mesh(folder, target)
 
@@ -127,4 +126,4 @@ def draw(folder, target, image=None):
 if __name__ == "__main__":
     if len(sys.argv) < 2 or not os.path.isfile(os.path.join(sys.argv[1], "mesh.vtu")):
         sys.exit("pictures: error: name a folder that holds labels.vti, surface.vtp and mesh.vtu")
-    draw(sys.argv[1], sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None)
+    draw(sys.argv[1], sys.argv[1])
