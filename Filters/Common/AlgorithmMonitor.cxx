@@ -68,9 +68,9 @@ bool AlgorithmMonitor::Cancelled()
 
 void AlgorithmMonitor::RunInThreads(Id begin, Id end, Id grain, const Chunk& chunk) const
 {
-  if (this->OwnScope && this->Threads == 1)
+  if (end - begin <= grain || (this->OwnScope && this->Threads == 1))
   {
-    chunk(begin, end);
+    chunk(begin, end); // a thread would cost more than it does
     return;
   }
   // An exception must not leave a thread: the first one is kept and thrown again here.
@@ -105,7 +105,7 @@ void AlgorithmMonitor::RunInThreads(Id begin, Id end, Id grain, const Chunk& chu
 void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
 {
   grain = std::max<Id>(grain, 1);
-  Id slice = std::max(grain * this->Threads, count / 16);
+  Id slice = 8 * grain * this->Threads;
   for (Id begin = 0; begin < count && !this->Cancelled();)
   {
     const Id end = std::min(count, begin + slice);

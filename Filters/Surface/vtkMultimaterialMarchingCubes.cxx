@@ -54,6 +54,34 @@ std::vector<int> MaterialsIn(const lamina::LabelImage& image)
   return ids;
 }
 
+/// Check the open materials and read the region of interest, as far as a border is open at all.
+lamina::Status PrepareOpenings(const lamina::LabelImage& image, vtkImageData* maskInput,
+                               lamina::LabelImage& mask, lamina::ExtractInterfacesOptions& options)
+{
+  if (!options.openAtImageBorder && !options.openAtMaskBorder)
+  {
+    options.openMaterials.clear();
+    return lamina::Done{};
+  }
+  const auto known = lamina::CheckMaterials(options.openMaterials, MaterialsIn(image), "OpenMaterials");
+  if (!known || !options.openAtMaskBorder)
+  {
+    return known;
+  }
+  if (!maskInput)
+  {
+    return lamina::InvalidInput("OpenAtMaskBorder needs a region of interest on input port 1 (Mask)");
+  }
+  auto read = lamina::ReadMask(maskInput, image.grid);
+  if (!read)
+  {
+    return read.GetError();
+  }
+  mask = std::move(*read);
+  options.mask = &mask;
+  return lamina::Done{};
+}
+
 } // namespace
 
 vtkMultimaterialMarchingCubes::vtkMultimaterialMarchingCubes()
@@ -126,32 +154,14 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
     {
       return image.GetError();
     }
+    lamina::LabelImage mask;
     lamina::ExtractInterfacesOptions options;
     options.openAtImageBorder = this->OpenAtImageBorder;
     options.openAtMaskBorder = this->OpenAtMaskBorder;
-    lamina::LabelImage mask;
-    if (this->OpenAtImageBorder || this->OpenAtMaskBorder)
+    options.openMaterials = this->OpenMaterials;
+    if (const auto ready = PrepareOpenings(*image, maskInput, mask, options); !ready)
     {
-      options.openMaterials = this->OpenMaterials;
-      const auto known = lamina::CheckMaterials(options.openMaterials, MaterialsIn(*image), "OpenMaterials");
-      if (!known)
-      {
-        return known;
-      }
-    }
-    if (this->OpenAtMaskBorder)
-    {
-      if (!maskInput)
-      {
-        return lamina::InvalidInput("OpenAtMaskBorder needs a region of interest on input port 1 (Mask)");
-      }
-      auto read = lamina::ReadMask(maskInput, image->grid);
-      if (!read)
-      {
-        return read.GetError();
-      }
-      mask = std::move(*read);
-      options.mask = &mask;
+      return ready;
     }
     lamina::TriangleComplex surface;
     const auto report = lamina::ExtractInterfaces(*image, surface, options, monitor);

@@ -3,10 +3,11 @@
 
 #include "JunctionGraph.h"
 
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace lamina
@@ -259,10 +260,18 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, 
   {
     right[i] = wanted[static_cast<std::size_t>(i)];
   }
-  Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-14);
-  solver.setMaxIterations(4 * shells + 100);
-  solver.compute(matrix);
+  // Where a sheet has the same two shells as others, or none of its points may move, conditions repeat or are empty:
+  // a tiny ridge makes the system definite, and Newton's rounds take out what little it changes.
+  double trace = 0;
+  for (Eigen::Index i = 0; i < shells; ++i)
+  {
+    trace += matrix.coeff(i, i);
+  }
+  for (Eigen::Index i = 0; i < shells; ++i)
+  {
+    matrix.coeffRef(i, i) += 1e-11 * trace / static_cast<double>(shells) + 1e-300;
+  }
+  Eigen::SimplicialLDLT<Sparse> solver(matrix);
   const Eigen::VectorXd lambda = solver.solve(right);
   std::vector<double> heights(graph.shellsOfSheet.size(), 0);
   for (std::size_t s = 0; s < heights.size(); ++s)
@@ -280,18 +289,24 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, 
 double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
   const std::vector<char>& frozen)
 {
-  double worst = 0;
-  for (int round = 0; round < 6; ++round)
+  std::vector<Vec3> best = surface.points;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 8; ++round)
   {
     const std::vector<double> volumes = ShellVolumes(surface, graph);
     std::vector<double> wanted(targets.size());
-    worst = 0;
+    double worst = 0;
     for (std::size_t s = 0; s < targets.size(); ++s)
     {
       wanted[s] = targets[s] - volumes[s];
       worst = std::max(worst, std::abs(wanted[s]) / std::max(std::abs(targets[s]), 1e-300));
     }
-    if (worst < 2e-15)
+    if (worst < least)
+    {
+      least = worst;
+      best = surface.points;
+    }
+    if (worst < 2e-15 || worst > 2 * least)
     {
       break;
     }
@@ -305,7 +320,8 @@ double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const s
       }
     }
   }
-  return worst;
+  surface.points = std::move(best);
+  return least;
 }
 
 } // namespace lamina
