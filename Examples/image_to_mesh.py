@@ -22,7 +22,9 @@ class Parser(argparse.ArgumentParser):
 def fail(stage, message, code=1):
     """End with one line: which stage, what, where, what to do."""
     text = " ".join(str(message).split())
-    print(f"image_to_mesh: error: {stage}: {text}", file=sys.stderr, flush=True)
+    sys.stdout.flush()
+    with open(2, "w", closefd=False) as terminal:  # pvpython's own stderr may lead elsewhere
+        print(f"image_to_mesh: error: {stage}: {text}", file=terminal)
     sys.exit(code)
 
 
@@ -133,13 +135,18 @@ def main():
         os.environ["VTK_SMP_MAX_THREADS"] = str(options.threads)
         os.environ.setdefault("VTK_SMP_BACKEND_IN_USE", "STDThread" if options.threads > 1 else "Sequential")
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    from lamina_guard import guarded
+    guarded(lambda tell: work(options, tell), options.output)
+
+
+def work(options, tell):
     from lamina_images import ImageError
     from lamina_pipeline import Failed, Pipeline
-    pipeline = Pipeline()
+    pipeline = Pipeline(tell)
     try:
         pipeline.run(options)
     except ImageError as error:
-        fail("reading", error)
+        fail("Reading", error)
     except Failed as error:
         fail(error.stage, error, error.code)
     except MemoryError:

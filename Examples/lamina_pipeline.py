@@ -15,13 +15,13 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
+from lamina_guard import SCRATCH, STOPPED
 from lamina_images import ImageError, read_image, scalars_of
 
-STOPPED = 130
 WRITERS = {".vti": vtkXMLImageDataWriter, ".vtp": vtkXMLPolyDataWriter, ".vtu": vtkXMLUnstructuredGridWriter}
 
 
@@ -50,7 +50,8 @@ def load_plugin():
 
 
 class Pipeline:
-    def __init__(self):
+    def __init__(self, tell=lambda stage: None):
+        self.tell = tell
         self.stage = "start"
         self.stages = []
         self.stopped = False
@@ -59,6 +60,7 @@ class Pipeline:
         # pvpython prints through VTK's window of messages, which is caught here: print past it.
         sys.stdout = open(1, "w", buffering=1, closefd=False)
         sys.stderr = open(2, "w", buffering=1, closefd=False)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # warnings are told below, once
         self.catch_messages()
 
     # Running one stage -----------------------------------------------------------------------------------------------
@@ -69,6 +71,7 @@ class Pipeline:
 
     def begin(self, name):
         self.stage = name
+        self.tell(name)
         self.since = time.monotonic()
         if self.stopped:
             raise Failed(name, "stopped on request; nothing was written", STOPPED)
@@ -83,11 +86,7 @@ class Pipeline:
         print(f"  {seconds:.1f} s{'; ' + text if text else ''}", flush=True)
 
     def stop(self, *_):
-        if self.stopped:
-            self.clean()
-            os._exit(STOPPED)
         self.stopped = True
-        print("stopping ... (once more to stop at once)", file=sys.stderr, flush=True)
         if self.running:
             self.running.SetAbortExecute(1)
 
@@ -143,7 +142,6 @@ class Pipeline:
     def run(self, options):
         from lamina_results import Results
         signal.signal(signal.SIGINT, self.stop)
-        signal.signal(signal.SIGTERM, self.stop)
         self.begin("Reading")
         self.results = Results(self, options)
         image = read_image(options.input)
@@ -245,7 +243,7 @@ class Pipeline:
         """A folder beside the results, so that renaming is all that is left to do at the end."""
         try:
             os.makedirs(output, exist_ok=True)
-            self.scratch = tempfile.mkdtemp(prefix=".unfinished-", dir=output)
+            self.scratch = tempfile.mkdtemp(prefix=f"{SCRATCH}{os.getpid()}-", dir=output)
         except OSError as error:
             raise Failed("output", f"{output} cannot be written: {error.strerror}; choose another --output") from None
         return self.scratch

@@ -10,6 +10,6 @@ mkdir -p "$output"
 LAMINA_PLUGIN=$(find "$root/build/release/lib" -name Lamina.so | head -n 1)
 PYTHONDONTWRITEBYTECODE=1
 export LAMINA_PLUGIN PYTHONDONTWRITEBYTECODE
-pvpython "$root/Examples/heart_phantom.py" "$output/phantom.vti" --resolution "${LAMINA_DEMO_RESOLUTION:-120}"
+pvpython --no-mpi "$root/Examples/heart_phantom.py" "$output/phantom.vti" --resolution "${LAMINA_DEMO_RESOLUTION:-120}"
 "$root/Utilities/mesh.sh" "$output/phantom.vti" --output "$output" --pictures
 echo "Pictures: $(cd "$output" && echo *.png)"

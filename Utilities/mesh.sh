@@ -17,10 +17,5 @@ fi
 LAMINA_PLUGIN=$plugin
 PYTHONDONTWRITEBYTECODE=1
 export LAMINA_PLUGIN PYTHONDONTWRITEBYTECODE
-# Only rendering needs an X server.
-for argument in "$@"; do
-  if [ "$argument" = --pictures ] && [ -z "${DISPLAY:-}" ]; then
-    exec xvfb-run -a pvpython "$root/Examples/image_to_mesh.py" "$@"
-  fi
-done
-exec pvpython "$root/Examples/image_to_mesh.py" "$@"
+# One process, so no MPI (it would write files of its own).
+exec pvpython --no-mpi "$root/Examples/image_to_mesh.py" "$@"

@@ -237,7 +237,9 @@ void WriteInformation(const GridGeometry& grid, vtkInformation* information)
 
 void WriteLabels(const LabelImage& labels, vtkImageData* image)
 {
-  image->GetPointData()->SetScalars(MakeArray<vtkIntArray>(names::MaterialIds, labels.labels));
+  // SetScalars would throw out the array that is active so far.
+  image->GetPointData()->AddArray(MakeArray<vtkIntArray>(names::MaterialIds, labels.labels));
+  image->GetPointData()->SetActiveScalars(names::MaterialIds);
 }
 
 } // namespace lamina

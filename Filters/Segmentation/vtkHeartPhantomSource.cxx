@@ -88,32 +88,32 @@ int vtkHeartPhantomSource::RequestData(vtkInformation*, vtkInformationVector**, 
 {
   vtkImageData* image = vtkImageData::GetData(outputs, 0);
   vtkImageData* truth = vtkImageData::GetData(outputs, 1);
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
-    {
-      lamina::GreyImage grey;
-      lamina::LabelImage labels;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::MakeHeartPhantom(grey, labels, OptionsOf(this), monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      lamina::WriteGeometry(grey.grid, image);
-      WriteIntensity(grey, image);
-      lamina::WriteGeometry(labels.grid, truth);
-      lamina::WriteLabels(labels, truth);
-      std::vector<lamina::Id> components;
-      for (const lamina::HeartPhantomMaterial& material : report->materials)
-      {
-        components.push_back(material.components);
-      }
-      truth->GetFieldData()->AddArray(
-        lamina::MakeArray<vtkIdTypeArray>(lamina::names::MaterialComponents, components));
-      lamina::AttachReport(truth, "HeartPhantom", Describe(*report));
-      return lamina::Done{};
-    });
+  return lamina::RunStage(this,
+                          [&]() -> lamina::Status
+                          {
+                            lamina::GreyImage grey;
+                            lamina::LabelImage labels;
+                            lamina::AlgorithmMonitor monitor(this);
+                            const auto report =
+                              lamina::MakeHeartPhantom(grey, labels, OptionsOf(this), monitor);
+                            if (!report)
+                            {
+                              return report.GetError();
+                            }
+                            lamina::WriteGeometry(grey.grid, image);
+                            WriteIntensity(grey, image);
+                            lamina::WriteGeometry(labels.grid, truth);
+                            lamina::WriteLabels(labels, truth);
+                            std::vector<lamina::Id> components;
+                            for (const lamina::HeartPhantomMaterial& material : report->materials)
+                            {
+                              components.push_back(material.components);
+                            }
+                            truth->GetFieldData()->AddArray(lamina::MakeArray<vtkIdTypeArray>(
+                              lamina::names::MaterialComponents, components));
+                            lamina::AttachReport(truth, "HeartPhantom", Describe(*report));
+                            return lamina::Done{};
+                          });
 }
 
 void vtkHeartPhantomSource::PrintSelf(ostream& os, vtkIndent indent)

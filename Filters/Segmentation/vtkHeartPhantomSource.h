@@ -5,20 +5,21 @@
  *
  * No input.
  *
- * Output, port 0: vtkImageData with Intensity (unsigned char) on its points, the active scalars: blood about 190,
- * tissue about 85, anything else about 20, with partial volume at borders, blur, a bias field and noise. Port 1:
- * vtkImageData of the same grid with MaterialIds (int): 0 background, 1 tissue, 2 blood, the truth. Its field data has
- * MaterialComponents (vtkIdType x1): the number of components of each material, counted over voxel faces, by id.
- * Origin 0, equal spacings, in units of Length.
+ * Output, port 0: vtkImageData with Intensity (unsigned char) on its points, the active scalars: blood about
+ * 190, tissue about 85, anything else about 20, with partial volume at borders, blur, a bias field and noise.
+ * Port 1: vtkImageData of the same grid with MaterialIds (int): 0 background, 1 tissue, 2 blood, the truth.
+ * Its field data has MaterialComponents (vtkIdType x1): the number of components of each material, counted
+ * over voxel faces, by id. Origin 0, equal spacings, in units of Length.
  *
- * The heart is made of signed distances: two ventricles, two atria, a thin septum, two valves with leaflets, papillary
- * muscles and chordae, a tendon across each ventricle, coronary arteries that branch and taper, and stumps of the great
- * vessels. The finest of it are two to three voxels thick at any resolution; what an image of fewer voxels could not
- * show is left out (below 64: valves, strands and coronaries, below 36 atria and vessels, below 26 the right ventricle).
+ * The heart is made of signed distances: two ventricles, two atria, a thin septum, two valves with leaflets,
+ * papillary muscles and chordae, a tendon across each ventricle, coronary arteries that branch and taper, and
+ * stumps of the great vessels. The finest of it are two to three voxels thick at any resolution; what an
+ * image of fewer voxels could not show is left out (below 64: valves, strands and coronaries, below 36 atria
+ * and vessels, below 26 the right ventricle).
  *
- * Blood never touches background, no material meets itself in an edge or a corner only, and the number of components
- * is the designed one: blood has four (left heart, right heart, two coronary trees). The same properties give the same
- * image for any number of threads.
+ * Blood never touches background, no material meets itself in an edge or a corner only, and the number of
+ * components is the designed one: blood has four (left heart, right heart, two coronary trees). The same
+ * properties give the same image for any number of threads.
  *
  * @warning This class has been threaded with vtkSMPTools.
  *

@@ -112,8 +112,9 @@ void vtkMultimaterialSegmentation::ClearThresholds()
 
 double vtkMultimaterialSegmentation::GetThreshold(int index)
 {
-  return index >= 0 && index < this->GetNumberOfThresholds() ? this->Thresholds[static_cast<std::size_t>(index)]
-                                                             : 0.0;
+  return index >= 0 && index < this->GetNumberOfThresholds()
+           ? this->Thresholds[static_cast<std::size_t>(index)]
+           : 0.0;
 }
 
 int vtkMultimaterialSegmentation::FillInputPortInformation(int port, vtkInformation* info)
@@ -163,59 +164,58 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
   {
     return 1;
   }
-  return lamina::RunStage(
-    this,
-    [&]() -> lamina::Status
-    {
-      const auto scalars = lamina::FindScalars(input, nullptr, nullptr);
-      if (!scalars)
-      {
-        return scalars.GetError();
-      }
-      const auto grey = lamina::ReadGrey(input, *scalars);
-      if (!grey)
-      {
-        return grey.GetError();
-      }
-      lamina::SegmentOptions options;
-      options.thresholds = this->Thresholds;
-      options.coronaryMajority = this->CoronaryMajority;
-      options.largestOnly = this->LargestOnly;
-      options.minimumShare = this->MinimumShare;
-      options.minimumVoxels = this->MinimumVoxels;
-      options.openAtImageBorder = this->OpenAtImageBorder;
-      options.openAtMaskBorder = this->OpenAtMaskBorder;
-      lamina::LabelImage mask;
-      if (maskInput)
-      {
-        auto read = lamina::ReadMask(maskInput, grey->grid);
-        if (!read)
-        {
-          return read.GetError();
-        }
-        mask = std::move(*read);
-        options.mask = &mask;
-      }
-      lamina::LabelImage labels;
-      std::vector<unsigned char> disputed;
-      lamina::AlgorithmMonitor monitor(this);
-      const auto report = lamina::Segment(*grey, labels, disputed, options, monitor);
-      if (!report)
-      {
-        return report.GetError();
-      }
-      for (const std::string& warning : report->warnings)
-      {
-        vtkWarningMacro(<< warning);
-      }
-      output->ShallowCopy(input);
-      lamina::WriteLabels(labels, output);
-      output->GetPointData()->AddArray(
-        lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, disputed));
-      lamina::AttachReport(output, "MultimaterialSegmentation", Describe(*report));
-      FillTable(*report, table);
-      return lamina::Done{};
-    });
+  return lamina::RunStage(this,
+                          [&]() -> lamina::Status
+                          {
+                            const auto scalars = lamina::FindScalars(input, nullptr, nullptr);
+                            if (!scalars)
+                            {
+                              return scalars.GetError();
+                            }
+                            const auto grey = lamina::ReadGrey(input, *scalars);
+                            if (!grey)
+                            {
+                              return grey.GetError();
+                            }
+                            lamina::SegmentOptions options;
+                            options.thresholds = this->Thresholds;
+                            options.coronaryMajority = this->CoronaryMajority;
+                            options.largestOnly = this->LargestOnly;
+                            options.minimumShare = this->MinimumShare;
+                            options.minimumVoxels = this->MinimumVoxels;
+                            options.openAtImageBorder = this->OpenAtImageBorder;
+                            options.openAtMaskBorder = this->OpenAtMaskBorder;
+                            lamina::LabelImage mask;
+                            if (maskInput)
+                            {
+                              auto read = lamina::ReadMask(maskInput, grey->grid);
+                              if (!read)
+                              {
+                                return read.GetError();
+                              }
+                              mask = std::move(*read);
+                              options.mask = &mask;
+                            }
+                            lamina::LabelImage labels;
+                            std::vector<unsigned char> disputed;
+                            lamina::AlgorithmMonitor monitor(this);
+                            const auto report = lamina::Segment(*grey, labels, disputed, options, monitor);
+                            if (!report)
+                            {
+                              return report.GetError();
+                            }
+                            for (const std::string& warning : report->warnings)
+                            {
+                              vtkWarningMacro(<< warning);
+                            }
+                            output->ShallowCopy(input);
+                            lamina::WriteLabels(labels, output);
+                            output->GetPointData()->AddArray(
+                              lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, disputed));
+                            lamina::AttachReport(output, "MultimaterialSegmentation", Describe(*report));
+                            FillTable(*report, table);
+                            return lamina::Done{};
+                          });
 }
 
 void vtkMultimaterialSegmentation::PrintSelf(ostream& os, vtkIndent indent)

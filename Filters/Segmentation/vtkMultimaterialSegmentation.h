@@ -3,25 +3,27 @@
  * @class   vtkMultimaterialSegmentation
  * @brief   from grey values to materials, with walls around blood and without islands
  *
- * Input, port 0: a 3-D vtkImageData with one component of any number type (the active scalars, or the only array); NaN
- * is background. Port 1, optional: a vtkImageData of the same size, the region of interest: where it is not 1, the
- * material is 0.
+ * Input, port 0: a 3-D vtkImageData with one component of any number type (the active scalars, or the only
+ * array); NaN is background. Port 1, optional: a vtkImageData of the same size, the region of interest: where
+ * it is not 1, the material is 0.
  *
- * Output, port 0: the image with MaterialIds (int, active: 0 background, 1 tissue, 2 blood) and Disputed (unsigned
- * char, 1 where the material was a guess) beside the input's arrays. Port 1: a vtkTable with what each rule did, columns
- * Rule, Material, Components, Voxels, in the order of work, then the totals of each material.
+ * Output, port 0: the image with MaterialIds (int, active: 0 background, 1 tissue, 2 blood) and Disputed
+ * (unsigned char, 1 where the material was a guess) beside the input's arrays. Port 1: a vtkTable with what
+ * each rule did, columns Rule, Material, Components, Voxels, in the order of work, then the totals of each
+ * material.
  *
- * Thresholds, the resolution of disputed voxels and the walls follow J. P. Carson, A. P. Kuprat, X. Jiao, F. del Pin and
- * D. R. Einstein, An anisotropic fluid-solid model of the mouse heart, Computers in Cardiology 36 (2009): groups of
- * disputed voxels enclosed by one material take it, those mostly among tissue are thin vessels; the rest go to the
- * likelier of tissue and blood by grey value and neighbours and are flagged. Background that touches blood becomes
- * tissue, components below a size go to their neighbours, until nothing changes.
+ * Thresholds, the resolution of disputed voxels and the walls follow J. P. Carson, A. P. Kuprat, X. Jiao, F.
+ * del Pin and D. R. Einstein, An anisotropic fluid-solid model of the mouse heart, Computers in Cardiology 36
+ * (2009): groups of disputed voxels enclosed by one material take it, those mostly among tissue are thin
+ * vessels; the rest go to the likelier of tissue and blood by grey value and neighbours and are flagged.
+ * Background that touches blood becomes tissue, components below a size go to their neighbours, until nothing
+ * changes.
  *
- * Blood has a wall of at least one tissue voxel against background (over faces, edges and corners), openings apart;
- * outside the region of interest nothing but background is left. The same for any number of threads.
+ * Blood has a wall of at least one tissue voxel against background (over faces, edges and corners), openings
+ * apart; outside the region of interest nothing but background is left. The same for any number of threads.
  *
- * @warning Three thresholds make a disputed class, two none; with any other number the classes are numbered in order
- * and have no walls.
+ * @warning Three thresholds make a disputed class, two none; with any other number the classes are numbered
+ * in order and have no walls.
  * @warning This class has been threaded with vtkSMPTools.
  *
  * @sa vtkHeartPhantomSource vtkMultimaterialMarchingCubes
@@ -96,8 +98,8 @@ public:
 
   ///@{
   /**
-   * A disputed voxel with at least this many tissue voxels among its 26 neighbours becomes blood, 1 to 27, where 27
-   * switches the rule off. Default: 14.
+   * A disputed voxel with at least this many tissue voxels among its 26 neighbours becomes blood, 1 to 27,
+   * where 27 switches the rule off. Default: 14.
    */
   vtkSetMacro(CoronaryMajority, int);
   vtkGetMacro(CoronaryMajority, int);
