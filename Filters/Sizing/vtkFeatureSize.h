@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * The least feature size, a length; 0 stands for 1.5 mean edge lengths of the input. Default: 0.
+   * The least feature size, a length; 0 stands for 2.6 mean edge lengths of the input. Default: 0.
    */
   vtkSetMacro(MinimumSize, double);
   vtkGetMacro(MinimumSize, double);

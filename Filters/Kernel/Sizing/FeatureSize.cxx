@@ -74,13 +74,13 @@ std::optional<Error> FindLimits(const TriangleComplex& surface, const FeatureSiz
   {
     return InvalidInput("all points of the surface coincide", { surface.points.front() });
   }
-  report.minimum = options.minimum > 0 ? options.minimum : 1.5 * edge;
+  report.minimum = options.minimum > 0 ? options.minimum : 2.6 * edge;
   report.maximum = options.maximum > 0 ? options.maximum : 20 * edge;
   if (report.minimum > report.maximum)
   {
     return InvalidOption("the least feature size (" + std::to_string(report.minimum) +
                          ") is above the largest (" + std::to_string(report.maximum) +
-                         "); 0 takes 1.5 and 20 mean edge lengths of " + std::to_string(edge));
+                         "); 0 takes 2.6 and 20 mean edge lengths of " + std::to_string(edge));
   }
   return std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace lamina
 
 struct FeatureSizeOptions
 {
-  double minimum = 0;    ///< least feature size used for edges, a length; 0: 1.5 mean edge lengths of the input
+  double minimum = 0;    ///< least feature size used for edges, a length; 0: 2.6 mean edge lengths of the input
   double maximum = 0;    ///< largest feature size, a length; 0: 20 mean edge lengths of the input
   double gradient = 0.3; ///< largest slope of the size field, > 0
   int layers = 6;        ///< layers asked for across a feature, >= 1

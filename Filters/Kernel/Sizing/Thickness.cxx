@@ -14,6 +14,8 @@ constexpr Id Grain = 512;
 constexpr double Pi = 3.14159265358979323846;
 /// Hits nearer than this share of the edges around the point are rounding.
 constexpr double NearestHit = 1e-3;
+/// Cosine between a ray and the normal of a wall that it leaves through: flatter hits are grazes.
+constexpr double LeastIncidence = 0.2;
 
 bool Touches(const MaterialPair& pair, int material)
 {
@@ -50,15 +52,19 @@ public:
     const Vec3 u = Normalized(Cross(inward, axis));
     const Vec3 v = Cross(inward, u);
     const double nearest = NearestHit * this->EdgeLength(point);
-    double least = this->Diameter(point, inward, 1, nearest, this->Maximum);
+    std::array<double, 7> found;
+    found.fill(this->Diameter(point, inward, 1, nearest));
     for (int k = 0; k < 6 && this->Sine > 0; ++k)
     {
       const double turn = k * Pi / 3;
       const Vec3 across = std::cos(turn) * u + std::sin(turn) * v;
-      least =
-        this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest, least);
+      found[static_cast<std::size_t>(k) + 1] =
+        this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
     }
-    return least;
+    // The median: in a wall all rays find the other side, while on a rough surface one may graze a bump next to the
+    // point and another slip through a gap.
+    std::nth_element(found.begin(), found.begin() + 3, found.end());
+    return found[3];
   }
 
 private:
@@ -140,17 +146,17 @@ private:
     return sum / count;
   }
 
-  /// Diameter of the ball through the ray's exit, or `limit` if that is smaller.
-  double Diameter(Id point, const Vec3& direction, double cosine, double nearest, double limit) const
+  /// Diameter of the ball tangent at the point through the ray's exit, at most the maximum.
+  double Diameter(Id point, const Vec3& direction, double cosine, double nearest) const
   {
     const auto leaves = [&](Id t)
     {
       const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
-      return c[0] != point && c[1] != point && c[2] != point && Dot(direction, this->Outward(t)) > 0;
+      return c[0] != point && c[1] != point && c[2] != point && Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
     };
     const auto hit = this->Walls.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
-                                          nearest, limit * cosine, leaves);
-    return hit.triangle < 0 ? limit : std::min(limit, hit.t / cosine);
+                                          nearest, this->Maximum * cosine, leaves);
+    return hit.triangle < 0 ? this->Maximum : std::min(this->Maximum, hit.t / cosine);
   }
 
   const TriangleComplex& Surface;
