@@ -26,10 +26,10 @@ bool Touches(const MaterialPair& pair, int material)
 class Caster
 {
 public:
-  Caster(const TriangleComplex& surface, const TrianglesAround& around, int material, double maximum,
+  Caster(const TriangleComplex& surface, const Lists& star, int material, double maximum,
          double coneAngle)
     : Surface(surface)
-    , Around(around)
+    , Star(star)
     , Material(material)
     , Maximum(maximum)
     , Cosine(std::cos(coneAngle * Pi / 180))
@@ -90,18 +90,16 @@ private:
   /// Along the normal out of the material, twice the area long.
   Vec3 Outward(Id triangle) const
   {
-    const Vec3 n = Cross(this->Corner(triangle, 1) - this->Corner(triangle, 0),
-                         this->Corner(triangle, 2) - this->Corner(triangle, 0));
+    const Vec3 n =
+      AreaVector2(this->Surface.points, this->Surface.triangles[static_cast<std::size_t>(triangle)]);
     return this->Surface.materials[static_cast<std::size_t>(triangle)].first == this->Material ? n : -n;
   }
 
   template<typename Visit>
   void ForTriangles(Id point, Visit&& visit) const
   {
-    const auto p = static_cast<std::size_t>(point);
-    for (std::size_t i = this->Around.start[p]; i < this->Around.start[p + 1]; ++i)
+    for (Id t : Row(this->Star, point))
     {
-      const Id t = this->Around.triangles[i];
       if (Touches(this->Surface.materials[static_cast<std::size_t>(t)], this->Material))
       {
         visit(t);
@@ -160,7 +158,7 @@ private:
   }
 
   const TriangleComplex& Surface;
-  const TrianglesAround& Around;
+  const Lists& Star;
   int Material;
   double Maximum;
   double Cosine;
@@ -169,33 +167,6 @@ private:
 };
 
 } // namespace
-
-TrianglesAround FindTrianglesAround(const TriangleComplex& surface)
-{
-  TrianglesAround around;
-  around.start.assign(surface.points.size() + 1, 0);
-  for (const Triangle& t : surface.triangles)
-  {
-    for (Id p : t)
-    {
-      ++around.start[static_cast<std::size_t>(p) + 1];
-    }
-  }
-  for (std::size_t p = 0; p < surface.points.size(); ++p)
-  {
-    around.start[p + 1] += around.start[p];
-  }
-  around.triangles.resize(around.start.back());
-  std::vector<std::size_t> next(around.start.begin(), around.start.end() - 1);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    for (Id p : surface.triangles[t])
-    {
-      around.triangles[next[static_cast<std::size_t>(p)]++] = static_cast<Id>(t);
-    }
-  }
-  return around;
-}
 
 std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
 {
@@ -221,11 +192,11 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
   return ids;
 }
 
-std::vector<double> MeasureThickness(const TriangleComplex& surface, const TrianglesAround& around,
+std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star,
                                      int material, const std::vector<Id>& ids, double maximum,
                                      double coneAngle, Monitor& monitor)
 {
-  const Caster caster(surface, around, material, maximum, coneAngle);
+  const Caster caster(surface, star, material, maximum, coneAngle);
   std::vector<double> thickness(ids.size(), maximum);
   monitor.For(static_cast<Id>(ids.size()), Grain,
               [&](Id begin, Id end)

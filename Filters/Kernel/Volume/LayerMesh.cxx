@@ -173,19 +173,12 @@ std::optional<Error> CheckLayerSurface(const TriangleComplex& surface, Monitor& 
   {
     return InvalidInput("there is no MaterialFeatureSize on the points: run Feature Size first");
   }
-  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-  if (pairs.empty())
+  std::optional<Error> error = CheckEmbedded(surface.points, surface.triangles, "the surface", monitor);
+  if (error && error->kind == Failure::InvalidInput)
   {
-    return std::nullopt;
+    error->message += ": no layers can grow on it";
   }
-  std::vector<Vec3> places;
-  for (const auto& pair : pairs)
-  {
-    places.push_back(surface.points[U(surface.triangles[U(pair[0])][0])]);
-  }
-  return InvalidInput("the surface intersects itself in " + std::to_string(pairs.size()) + " pairs of triangles" +
-      DescribePlaces(places) + ": no layers can grow on it",
-    places);
+  return error;
 }
 
 } // namespace lamina
