@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a surface meets itself: pairs of triangles with more in common than the corners and the edge they share.
+// Where a surface meets itself: pairs of triangles with more in common than the corners and the edge they
+// share.
 #pragma once
 
 #include "../Base/Monitor.h"
@@ -17,9 +18,9 @@ namespace lamina
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Vec3>& points,
                                                  const std::vector<Triangle>& triangles, Monitor& monitor);
 
-/// The same as an error: "<what> intersects itself in <n> pairs of triangles", with a place for every triangle
-/// concerned. `offending` (if given) gets those triangles, ascending. Cancelled() where the test could not be
-/// finished: an unfinished test proves nothing.
+/// The same as an error: "<what> intersects itself in <n> pairs of triangles", with a place for every
+/// triangle concerned. `offending` (if given) gets those triangles, ascending. Cancelled() where the test
+/// could not be finished: an unfinished test proves nothing.
 std::optional<Error> CheckEmbedded(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                                    const std::string& what, Monitor& monitor,
                                    std::vector<Id>* offending = nullptr);

@@ -26,8 +26,7 @@ bool Touches(const MaterialPair& pair, int material)
 class Caster
 {
 public:
-  Caster(const TriangleComplex& surface, const Lists& star, int material, double maximum,
-         double coneAngle)
+  Caster(const TriangleComplex& surface, const Lists& star, int material, double maximum, double coneAngle)
     : Surface(surface)
     , Star(star)
     , Material(material)
@@ -61,8 +60,8 @@ public:
       found[static_cast<std::size_t>(k) + 1] =
         this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
     }
-    // The median: in a wall all rays find the other side, while on a rough surface one may graze a bump next to the
-    // point and another slip through a gap.
+    // The median: in a wall all rays find the other side, while on a rough surface one may graze a bump next
+    // to the point and another slip through a gap.
     std::nth_element(found.begin(), found.begin() + 3, found.end());
     return found[3];
   }
@@ -150,7 +149,8 @@ private:
     const auto leaves = [&](Id t)
     {
       const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
-      return c[0] != point && c[1] != point && c[2] != point && Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
+      return c[0] != point && c[1] != point && c[2] != point &&
+             Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
     };
     const auto hit = this->Walls.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
                                           nearest, this->Maximum * cosine, leaves);
@@ -192,9 +192,9 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
   return ids;
 }
 
-std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star,
-                                     int material, const std::vector<Id>& ids, double maximum,
-                                     double coneAngle, Monitor& monitor)
+std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star, int material,
+                                     const std::vector<Id>& ids, double maximum, double coneAngle,
+                                     Monitor& monitor)
 {
   const Caster caster(surface, star, material, maximum, coneAngle);
   std::vector<double> thickness(ids.size(), maximum);
