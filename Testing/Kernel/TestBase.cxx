@@ -12,12 +12,14 @@ TEST(Monitor, EveryItemIsVisitedOnce)
   {
     ThreadMonitor monitor(threads);
     std::vector<int> visits(1003, 0);
-    monitor.For(1003, 10, [&](Id begin, Id end) {
-      for (Id i = begin; i < end; ++i)
-      {
-        ++visits[static_cast<std::size_t>(i)];
-      }
-    });
+    monitor.For(1003, 10,
+                [&](Id begin, Id end)
+                {
+                  for (Id i = begin; i < end; ++i)
+                  {
+                    ++visits[static_cast<std::size_t>(i)];
+                  }
+                });
     EXPECT_EQ(visits, std::vector<int>(1003, 1));
   }
 }
@@ -26,12 +28,14 @@ TEST(Monitor, CancelStopsTheLoop)
 {
   ThreadMonitor monitor(1);
   Id done = 0;
-  monitor.For(1000, 1, [&](Id, Id) {
-    if (++done == 10)
-    {
-      monitor.Cancel();
-    }
-  });
+  monitor.For(1000, 1,
+              [&](Id, Id)
+              {
+                if (++done == 10)
+                {
+                  monitor.Cancel();
+                }
+              });
   EXPECT_EQ(done, 10);
   EXPECT_TRUE(monitor.Cancelled());
 }
@@ -41,5 +45,5 @@ TEST(Result, PlacesAreDescribed)
   EXPECT_EQ(DescribePlaces({}), "");
   EXPECT_EQ(DescribePlaces({ { 1, 2, 3 } }), " at (1, 2, 3)");
   EXPECT_EQ(DescribePlaces({ { 1, 2, 3 }, { 1, 2, 4 }, { 1, 2, 5 }, { 0, 0, 0 }, { 0, 0, 1 } }),
-    " at (1, 2, 3), (1, 2, 4), (1, 2, 5) and 2 more");
+            " at (1, 2, 3), (1, 2, 4), (1, 2, 5) and 2 more");
 }

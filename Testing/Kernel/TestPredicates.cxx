@@ -37,9 +37,9 @@ TEST(Triangles, TouchOrNot)
   const Vec3 b{ 4, 0, 0 };
   const Vec3 c{ 0, 4, 0 };
   EXPECT_TRUE(TrianglesTouch(a, b, c, { 1, 1, -1 }, { 1, 1, 1 }, { 1, 5, 1 }));
-  EXPECT_TRUE(TrianglesTouch(a, b, c, { 1, 1, 0 }, { 1, 1, 1 }, { 1, 5, 1 }));   // a corner on the face
+  EXPECT_TRUE(TrianglesTouch(a, b, c, { 1, 1, 0 }, { 1, 1, 1 }, { 1, 5, 1 }));       // a corner on the face
   EXPECT_FALSE(TrianglesTouch(a, b, c, { 1, 1, 1e-300 }, { 1, 1, 1 }, { 1, 5, 1 })); // just above
-  EXPECT_TRUE(TrianglesTouch(a, b, c, { 1, 1, 0 }, { 9, 1, 0 }, { 9, 9, 0 }));   // coplanar
+  EXPECT_TRUE(TrianglesTouch(a, b, c, { 1, 1, 0 }, { 9, 1, 0 }, { 9, 9, 0 }));       // coplanar
   EXPECT_FALSE(TrianglesTouch(a, b, c, { 3, 3, 0 }, { 9, 3, 0 }, { 9, 9, 0 }));
   EXPECT_TRUE(SegmentTouchesTriangle({ 1, 1, -1 }, { 1, 1, 1 }, a, b, c));
   EXPECT_FALSE(SegmentTouchesTriangle({ 3, 3, -1 }, { 3, 3, 1 }, a, b, c));
@@ -49,24 +49,26 @@ TEST(Triangles, TouchOrNot)
 
 TEST(Triangles, SharedCornersAndEdgesAreAllowed)
 {
-  const std::vector<Vec3> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { 0, 0, 4 }, { 1, 1, 0 },
-    { 1, 1, 4 }, { -1, 0, 0 }, { 0, -1, 0 }, { -1, -1, 3 }, { 3, 3, -3 }, { 3, 3, 3 }, { 1, 2, 0 } };
+  const std::vector<Vec3> points{ { 0, 0, 0 },  { 4, 0, 0 }, { 0, 4, 0 },  { 4, 4, 0 },  { 0, 0, 4 },
+                                  { 1, 1, 0 },  { 1, 1, 4 }, { -1, 0, 0 }, { 0, -1, 0 }, { -1, -1, 3 },
+                                  { 3, 3, -3 }, { 3, 3, 3 }, { 1, 2, 0 } };
   const Triangle base{ { 0, 1, 2 } };
-  EXPECT_FALSE(TrianglesIntersect(points, base, { { 1, 3, 2 } })); // flat neighbour
-  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 1, 4 } })); // upright neighbour
-  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 1, 5 } }));  // folded onto it
-  EXPECT_TRUE(TrianglesIntersect(points, base, { { 2, 5, 1 } }));  // folded, other edge, other sense
-  EXPECT_TRUE(TrianglesIntersect(points, base, { { 2, 1, 0 } }));  // the same thrice
-  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 7, 8 } })); // one corner, coplanar, apart
-  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 9, 4 } })); // one corner
-  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 5, 6 } }));  // one corner, and an edge in the face
+  EXPECT_FALSE(TrianglesIntersect(points, base, { { 1, 3, 2 } }));  // flat neighbour
+  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 1, 4 } }));  // upright neighbour
+  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 1, 5 } }));   // folded onto it
+  EXPECT_TRUE(TrianglesIntersect(points, base, { { 2, 5, 1 } }));   // folded, other edge, other sense
+  EXPECT_TRUE(TrianglesIntersect(points, base, { { 2, 1, 0 } }));   // the same thrice
+  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 7, 8 } }));  // one corner, coplanar, apart
+  EXPECT_FALSE(TrianglesIntersect(points, base, { { 0, 9, 4 } }));  // one corner
+  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 5, 6 } }));   // one corner, and an edge in the face
   EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 10, 11 } })); // one corner, cuts through
-  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 5, 12 } })); // one corner, coplanar, inside
+  EXPECT_TRUE(TrianglesIntersect(points, base, { { 0, 5, 12 } }));  // one corner, coplanar, inside
 }
 
 TEST(Triangles, DegenerateOnesCountAsTrouble)
 {
-  const std::vector<Vec3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 9, 9, 9 }, { 8, 9, 9 }, { 9, 8, 9 } };
+  const std::vector<Vec3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 },
+                                  { 9, 9, 9 }, { 8, 9, 9 }, { 9, 8, 9 } };
   EXPECT_TRUE(TrianglesIntersect(points, { { 0, 1, 2 } }, { { 0, 1, 3 } }));
   EXPECT_TRUE(TrianglesIntersect(points, { { 0, 1, 1 } }, { { 0, 1, 3 } }));
   EXPECT_TRUE(TrianglesIntersect(points, { { 0, 0, 0 } }, { { 0, 1, 3 } }));

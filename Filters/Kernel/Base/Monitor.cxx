@@ -20,7 +20,8 @@ void ThreadMonitor::For(Id count, Id grain, const Chunk& chunk)
     return;
   }
   std::atomic<Id> next{ 0 };
-  auto work = [&]() {
+  auto work = [&]()
+  {
     for (Id begin = next.fetch_add(step); begin < count && !this->Stop; begin = next.fetch_add(step))
     {
       chunk(begin, std::min(count, begin + step));

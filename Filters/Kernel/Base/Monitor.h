@@ -22,8 +22,9 @@ public:
   virtual void Progress(double fraction, const char* what) = 0;
   /// True once the caller wants the work to stop.
   virtual bool Cancelled() = 0;
-  /// Run chunk over [0, count) in pieces of about `grain`, in any order and thread. What a piece writes must not depend
-  /// on how the range was cut. Pieces may be left out once Cancelled() is true: test it after the loop.
+  /// Run chunk over [0, count) in pieces of about `grain`, in any order and thread. What a piece writes must
+  /// not depend on how the range was cut. Pieces may be left out once Cancelled() is true: test it after the
+  /// loop.
   virtual void For(Id count, Id grain, const Chunk& chunk) = 0;
 };
 

@@ -14,11 +14,11 @@ namespace lamina
 
 enum class Failure
 {
-  InvalidInput, ///< the data handed in cannot be worked on
+  InvalidInput,  ///< the data handed in cannot be worked on
   InvalidOption, ///< an option is out of its range
-  Unreachable,  ///< the method could not reach its goal on this input
-  Cancelled,    ///< the monitor asked to stop
-  Internal      ///< a guarantee of our own was broken: a bug
+  Unreachable,   ///< the method could not reach its goal on this input
+  Cancelled,     ///< the monitor asked to stop
+  Internal       ///< a guarantee of our own was broken: a bug
 };
 
 /// A failure: message (what, and what to do) and, where it helps, the places in world coordinates.
@@ -30,7 +30,7 @@ struct Error
 };
 
 /// Either a T or an Error.
-template <typename T>
+template<typename T>
 class Result
 {
 public:

@@ -29,7 +29,8 @@ bool IsCollinear(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
-  // Far from zero the rounded cross product decides; a component's error is below 8 units in the last place of its terms.
+  // Far from zero the rounded cross product decides; a component's error is below 8 units in the last place
+  // of its terms.
   for (int i = 0; i < 3; ++i)
   {
     const int j = (i + 1) % 3;
@@ -50,7 +51,7 @@ bool IsCollinear(const Corners& t)
 }
 
 /// True if the bounding boxes of the point sets are apart.
-template <std::size_t N, std::size_t M>
+template<std::size_t N, std::size_t M>
 bool AreApart(const std::array<Vec3, N>& s, const std::array<Vec3, M>& t)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -67,20 +68,19 @@ bool AreApart(const std::array<Vec3, N>& s, const std::array<Vec3, M>& t)
 }
 
 /// True if all of `set` lies strictly on one side of triangle t's plane.
-template <std::size_t N>
+template<std::size_t N>
 bool IsOnOneSide(const std::array<Vec3, N>& set, const Corners& t)
 {
   const int first = Orientation(t[0], t[1], t[2], set[0]);
-  return first != 0 && std::all_of(set.begin() + 1, set.end(), [&](const Vec3& p) {
-    return Orientation(t[0], t[1], t[2], p) == first;
-  });
+  return first != 0 && std::all_of(set.begin() + 1, set.end(),
+                                   [&](const Vec3& p) { return Orientation(t[0], t[1], t[2], p) == first; });
 }
 
 /// Both proper (not collinear).
 bool ProperTrianglesTouch(const Corners& s, const Corners& t)
 {
   return !AreApart(s, t) && !IsOnOneSide(s, t) && !IsOnOneSide(t, s) &&
-    CGAL::do_intersect(ToKernel(s), ToKernel(t));
+         CGAL::do_intersect(ToKernel(s), ToKernel(t));
 }
 
 /// t proper.
@@ -93,7 +93,8 @@ bool SegmentTouches(const Vec3& p, const Vec3& q, const Corners& t)
   }
   if (p == q)
   {
-    // A point: it is in the plane, and it is in the triangle if it makes a degenerate touching triangle of any kind.
+    // A point: it is in the plane, and it is in the triangle if it makes a degenerate touching triangle of
+    // any kind.
     return Kernel::Triangle_3(ToKernel(t)).has_on(ToKernel(p));
   }
   return CGAL::do_intersect(Kernel::Segment_3(ToKernel(p), ToKernel(q)), ToKernel(t));
@@ -113,8 +114,9 @@ int Orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   const double zx = u.z * v.x;
   const double xz = u.x * v.z;
   const double det = w.x * (yz - zy) + w.y * (zx - xz) + w.z * (xy - yx);
-  const double size = std::abs(w.x) * (std::abs(yz) + std::abs(zy)) + std::abs(w.y) * (std::abs(zx) + std::abs(xz)) +
-    std::abs(w.z) * (std::abs(xy) + std::abs(yx));
+  const double size = std::abs(w.x) * (std::abs(yz) + std::abs(zy)) +
+                      std::abs(w.y) * (std::abs(zx) + std::abs(xz)) +
+                      std::abs(w.z) * (std::abs(xy) + std::abs(yx));
   // The classic forward bound is 7 half-ulps (7.8e-16) of `size`; near underflow it does not hold.
   if (std::abs(det) > 1e-15 * size && size > 1e-250)
   {
@@ -123,7 +125,8 @@ int Orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return static_cast<int>(CGAL::orientation(ToKernel(a), ToKernel(b), ToKernel(c), ToKernel(d)));
 }
 
-bool TrianglesTouch(const Vec3& a0, const Vec3& a1, const Vec3& a2, const Vec3& b0, const Vec3& b1, const Vec3& b2)
+bool TrianglesTouch(const Vec3& a0, const Vec3& a1, const Vec3& a2, const Vec3& b0, const Vec3& b1,
+                    const Vec3& b2)
 {
   const Corners s{ { a0, a1, a2 } };
   const Corners t{ { b0, b1, b2 } };
@@ -143,11 +146,13 @@ bool TrianglesIntersect(const std::vector<Vec3>& points, const Triangle& s, cons
   Triangle b = t;
   const auto middleA = std::stable_partition(
     a.begin(), a.end(), [&](Id p) { return std::find(t.begin(), t.end(), p) != t.end(); });
-  std::stable_partition(b.begin(), b.end(), [&](Id p) { return std::find(s.begin(), s.end(), p) != s.end(); });
+  std::stable_partition(b.begin(), b.end(),
+                        [&](Id p) { return std::find(s.begin(), s.end(), p) != s.end(); });
   const auto shared = middleA - a.begin();
-  const auto cornersOf = [&](const Triangle& x) {
+  const auto cornersOf = [&](const Triangle& x)
+  {
     return Corners{ { points[static_cast<std::size_t>(x[0])], points[static_cast<std::size_t>(x[1])],
-      points[static_cast<std::size_t>(x[2])] } };
+                      points[static_cast<std::size_t>(x[2])] } };
   };
   const Corners p = cornersOf(a);
   const Corners q = cornersOf(b);
@@ -165,12 +170,14 @@ bool TrianglesIntersect(const std::vector<Vec3>& points, const Triangle& s, cons
   }
   if (shared == 1)
   {
-    // Two triangles that meet in their corner and elsewhere meet on the way from the corner to the nearer opposite edge.
+    // Two triangles that meet in their corner and elsewhere meet on the way from the corner to the nearer
+    // opposite edge.
     return SegmentTouches(p[1], p[2], q) || SegmentTouches(q[1], q[2], p);
   }
   // The shared edge may be listed in either sense: go by p's, q[2] is the other apex all the same.
   return Orientation(p[0], p[1], p[2], q[2]) == 0 &&
-    CGAL::coplanar_orientation(ToKernel(p[0]), ToKernel(p[1]), ToKernel(p[2]), ToKernel(q[2])) == CGAL::POSITIVE;
+         CGAL::coplanar_orientation(ToKernel(p[0]), ToKernel(p[1]), ToKernel(p[2]), ToKernel(q[2])) ==
+           CGAL::POSITIVE;
 }
 
 } // namespace lamina

@@ -16,15 +16,16 @@ double TetQuality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Least and largest dihedral angle, degrees.
 std::array<double, 2> TetDihedralAngles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The nine Bernstein coefficients of the Jacobian of the isoparametric wedge in VTK's order (base normal outwards),
-/// signed so that a valid wedge has positive ones: value [k][i], k degree along the height, i side edge.
+/// The nine Bernstein coefficients of the Jacobian of the isoparametric wedge in VTK's order (base normal
+/// outwards), signed so that a valid wedge has positive ones: value [k][i], k degree along the height, i side
+/// edge.
 std::array<std::array<double, 3>, 3> WedgeJacobian(const std::array<Vec3, 6>& nodes);
 /// Exact for the isoparametric cell: the Jacobian is positive everywhere, corners and edges included.
 bool WedgeIsValid(const std::array<Vec3, 6>& nodes);
 /// Volume of the isoparametric wedge.
 double WedgeVolume(const std::array<Vec3, 6>& nodes);
-/// The smaller of (triangle quality times edge orthogonality) and the scaled Jacobian normalised to 1 for a right
-/// equilateral prism; not positive for an invalid one.
+/// The smaller of (triangle quality times edge orthogonality) and the scaled Jacobian normalised to 1 for a
+/// right equilateral prism; not positive for an invalid one.
 double WedgeQuality(const std::array<Vec3, 6>& nodes);
 
 /// The Jacobian of the isoparametric pyramid is positive everywhere but at the apex.

@@ -13,8 +13,8 @@ struct VisibleDirection
   double leastCosine = -1; ///< least dot product with a normal; not positive: no direction sees all faces
 };
 
-/// The unit vector m whose least dot product with the given unit normals is largest: the axis of the smallest cone
-/// that holds them (an incremental construction as for the smallest enclosing ball).
+/// The unit vector m whose least dot product with the given unit normals is largest: the axis of the smallest
+/// cone that holds them (an incremental construction as for the smallest enclosing ball).
 VisibleDirection FindVisibleDirection(const std::vector<Vec3>& normals);
 
 } // namespace lamina

@@ -52,9 +52,9 @@ EdgeTable MakeEdgeTable(const std::vector<Triangle>& triangles)
       uses.push_back({ std::min(p, q), std::max(p, q), static_cast<Id>(i) });
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const Use& u, const Use& v) {
-    return u.a != v.a ? u.a < v.a : (u.b != v.b ? u.b < v.b : u.triangle < v.triangle);
-  });
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& u, const Use& v)
+            { return u.a != v.a ? u.a < v.a : (u.b != v.b ? u.b < v.b : u.triangle < v.triangle); });
   EdgeTable table;
   for (const Use& use : uses)
   {
@@ -106,7 +106,8 @@ double MeanEdgeLength(const TriangleComplex& surface)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      sum += Norm(surface.points[static_cast<std::size_t>(t[(k + 1) % 3])] - surface.points[static_cast<std::size_t>(t[k])]);
+      sum += Norm(surface.points[static_cast<std::size_t>(t[(k + 1) % 3])] -
+                  surface.points[static_cast<std::size_t>(t[k])]);
     }
   }
   return surface.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(surface.triangles.size()));

@@ -60,7 +60,8 @@ inline int SideOf(const MaterialPair& pair, int material)
   return pair.first == material ? 1 : (pair.second == material ? -1 : 0);
 }
 
-/// True if patch p of the surface is an opening: a plane end of a material through which it is meant to go on.
+/// True if patch p of the surface is an opening: a plane end of a material through which it is meant to go
+/// on.
 bool IsOpening(const TriangleComplex& surface, int patch);
 
 /// Twice the area times the unit normal of a triangle.

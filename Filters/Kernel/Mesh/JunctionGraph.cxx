@@ -70,7 +70,8 @@ void ClassifyJunctions(TriangleComplex& surface)
   for (std::size_t p = 0; p < count; ++p)
   {
     surface.junctionOrder[p] = CountMaterials(surface, star, static_cast<Id>(p));
-    unsigned char kind = features[p] == 0 ? JunctionSheet : (features[p] == 2 ? JunctionCurve : JunctionCorner);
+    unsigned char kind =
+      features[p] == 0 ? JunctionSheet : (features[p] == 2 ? JunctionCurve : JunctionCorner);
     const ListRow row = Row(star, static_cast<Id>(p));
     if (std::any_of(row.begin(), row.end(), [&](Id t) { return surface.Patch(t) != 0; }))
     {

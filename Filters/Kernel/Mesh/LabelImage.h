@@ -16,7 +16,8 @@ struct GridGeometry
   std::array<Id, 3> size{ { 0, 0, 0 } }; ///< voxels along i, j, k
   Vec3 origin;                           ///< world position of the centre of voxel (0, 0, 0)
   Vec3 spacing{ 1, 1, 1 };               ///< voxel edge lengths, > 0
-  std::array<double, 9> direction{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; ///< row-major; columns are the axes of i, j, k
+  std::array<double, 9> direction{ { 1, 0, 0, 0, 1, 0, 0, 0,
+                                     1 } }; ///< row-major; columns are the axes of i, j, k
 
   Id Count() const { return this->size[0] * this->size[1] * this->size[2]; }
   Id Index(Id i, Id j, Id k) const { return i + this->size[0] * (j + this->size[1] * k); }
@@ -27,17 +28,16 @@ struct GridGeometry
     const double b = j * this->spacing.y;
     const double c = k * this->spacing.z;
     const auto& d = this->direction;
-    return { this->origin.x + d[0] * a + d[1] * b + d[2] * c,
-      this->origin.y + d[3] * a + d[4] * b + d[5] * c,
-      this->origin.z + d[6] * a + d[7] * b + d[8] * c };
+    return { this->origin.x + d[0] * a + d[1] * b + d[2] * c, this->origin.y + d[3] * a + d[4] * b + d[5] * c,
+             this->origin.z + d[6] * a + d[7] * b + d[8] * c };
   }
   /// True if the axes form a left-handed system (a mirror image).
   bool IsMirrored() const
   {
     const auto& d = this->direction;
     return d[0] * (d[4] * d[8] - d[5] * d[7]) - d[1] * (d[3] * d[8] - d[5] * d[6]) +
-      d[2] * (d[3] * d[7] - d[4] * d[6]) <
-      0;
+             d[2] * (d[3] * d[7] - d[4] * d[6]) <
+           0;
   }
   double VoxelVolume() const { return this->spacing.x * this->spacing.y * this->spacing.z; }
 };

@@ -12,7 +12,8 @@ namespace lamina
 {
 
 /// The two materials of a triangle; its normal points from `first` to `second`.
-/// Background (0) always stands second, else first < second (the convention of vtkSurfaceNets3D's BoundaryLabels).
+/// Background (0) always stands second, else first < second (the convention of vtkSurfaceNets3D's
+/// BoundaryLabels).
 struct MaterialPair
 {
   int first = 0;
@@ -40,8 +41,8 @@ enum JunctionKind : unsigned char
   JunctionInBorderPlane = 4 ///< added to the kind of a point that must stay in a border plane
 };
 
-/// Triangles between materials with shared points: junction curves are the edges where other than two triangles, or
-/// triangles of different material pairs or patches, meet.
+/// Triangles between materials with shared points: junction curves are the edges where other than two
+/// triangles, or triangles of different material pairs or patches, meet.
 struct TriangleComplex
 {
   std::vector<Vec3> points;
@@ -56,9 +57,13 @@ struct TriangleComplex
   std::vector<double> featureSize;      ///< governing, clipped, gradient-limited
   std::vector<double> targetEdgeLength; ///< what refinement aims at
   std::vector<int> sizedMaterials;      ///< the materials of thickness' columns
-  std::vector<double> thickness; ///< MaterialFeatureSize: points x sizedMaterials, row by row; NaN where not touched
+  std::vector<double>
+    thickness; ///< MaterialFeatureSize: points x sizedMaterials, row by row; NaN where not touched
 
-  int Patch(Id triangle) const { return this->patches.empty() ? 0 : this->patches[static_cast<std::size_t>(triangle)]; }
+  int Patch(Id triangle) const
+  {
+    return this->patches.empty() ? 0 : this->patches[static_cast<std::size_t>(triangle)];
+  }
 };
 
 } // namespace lamina

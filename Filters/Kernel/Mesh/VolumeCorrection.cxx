@@ -49,7 +49,8 @@ int MaterialAt(const TriangleComplex& surface, std::size_t triangle, int side)
   return side == 0 ? pair.first : pair.second;
 }
 
-/// The centre of the points' bounding box: volumes are summed about it, so that a far-off origin costs no digits.
+/// The centre of the points' bounding box: volumes are summed about it, so that a far-off origin costs no
+/// digits.
 Vec3 LocalOrigin(const std::vector<Vec3>& points)
 {
   if (points.empty())
@@ -101,7 +102,8 @@ SheetGraph MakeSheetGraph(const TriangleComplex& surface)
         }
         for (std::size_t side = 0; side < 4; ++side)
         {
-          if (MaterialAt(surface, i, static_cast<int>(side / 2)) == MaterialAt(surface, j, static_cast<int>(side % 2)))
+          if (MaterialAt(surface, i, static_cast<int>(side / 2)) ==
+              MaterialAt(surface, j, static_cast<int>(side % 2)))
           {
             shells.Join(2 * i + side / 2, 2 * j + side % 2);
           }
@@ -195,9 +197,9 @@ namespace
 /// How the inner points of the sheets move, and what that does to volumes.
 struct Motion
 {
-  std::vector<int> sheetOfPoint;     ///< -1: stays
-  std::vector<Vec3> normals;         ///< unit, along the triangles' normals
-  std::vector<double> areaOfSheet;   ///< dV / dheight of the pair's first material
+  std::vector<int> sheetOfPoint;   ///< -1: stays
+  std::vector<Vec3> normals;       ///< unit, along the triangles' normals
+  std::vector<double> areaOfSheet; ///< dV / dheight of the pair's first material
 };
 
 Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const std::vector<char>& frozen)
@@ -220,7 +222,7 @@ Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const
   for (std::size_t v = 0; v < surface.points.size(); ++v)
   {
     const bool inner = (surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet) &&
-      (frozen.empty() || !frozen[v]);
+                       (frozen.empty() || !frozen[v]);
     const double six = Norm(motion.normals[v]); // closed fan: the sum of area vectors is the gradient of 6 V
     if (motion.sheetOfPoint[v] < 0 || !inner || six == 0)
     {
@@ -233,8 +235,10 @@ Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const
   return motion;
 }
 
-/// Heights of the sheets that change the shells' volumes by `wanted` to first order, least in the mean over the area.
-std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, const std::vector<double>& wanted)
+/// Heights of the sheets that change the shells' volumes by `wanted` to first order, least in the mean over
+/// the area.
+std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion,
+                                 const std::vector<double>& wanted)
 {
   using Sparse = Eigen::SparseMatrix<double>;
   const auto shells = static_cast<Eigen::Index>(wanted.size());
@@ -260,8 +264,8 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, 
   {
     right[i] = wanted[static_cast<std::size_t>(i)];
   }
-  // Where a sheet has the same two shells as others, or none of its points may move, conditions repeat or are empty:
-  // a tiny ridge makes the system definite, and Newton's rounds take out what little it changes.
+  // Where a sheet has the same two shells as others, or none of its points may move, conditions repeat or are
+  // empty: a tiny ridge makes the system definite, and Newton's rounds take out what little it changes.
   double trace = 0;
   for (Eigen::Index i = 0; i < shells; ++i)
   {
@@ -287,7 +291,7 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion, 
 } // namespace
 
 double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
-  const std::vector<char>& frozen)
+                      const std::vector<char>& frozen)
 {
   std::vector<Vec3> best = surface.points;
   double least = std::numeric_limits<double>::infinity();

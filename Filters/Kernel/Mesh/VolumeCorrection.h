@@ -8,29 +8,32 @@
 namespace lamina
 {
 
-/// Sheets (triangles connected through edges that are no features) and shells (connected pieces of one material's
-/// boundary). A sheet lies wholly on one shell of either side, so operations that keep sheets keep shells.
+/// Sheets (triangles connected through edges that are no features) and shells (connected pieces of one
+/// material's boundary). A sheet lies wholly on one shell of either side, so operations that keep sheets keep
+/// shells.
 struct SheetGraph
 {
   std::vector<int> sheetOfTriangle;
-  std::vector<std::array<int, 2>> shellsOfSheet; ///< of the pair's first and second material; -1 for background
+  std::vector<std::array<int, 2>>
+    shellsOfSheet; ///< of the pair's first and second material; -1 for background
   std::vector<int> materialOfShell;
 
   int ShellCount() const { return static_cast<int>(this->materialOfShell.size()); }
 };
 SheetGraph MakeSheetGraph(const TriangleComplex& surface);
 
-/// The signed volume enclosed by every shell (negative for a cavity), by the divergence theorem about a local origin.
+/// The signed volume enclosed by every shell (negative for a cavity), by the divergence theorem about a local
+/// origin.
 std::vector<double> ShellVolumes(const TriangleComplex& surface, const SheetGraph& graph);
 
 /// The volume enclosed by every material of `materials`.
 std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::vector<int>& materials);
 
-/// Move the inner points of every sheet along their normals, all of one sheet by the same small height, so that each
-/// shell encloses its target again: the least such change, by Newton's method. Points of curves, corners and plane
-/// patches stay, and those flagged in `frozen` (one a point, or empty). Returns the largest remaining volume error
-/// relative to the shell's volume.
+/// Move the inner points of every sheet along their normals, all of one sheet by the same small height, so
+/// that each shell encloses its target again: the least such change, by Newton's method. Points of curves,
+/// corners and plane patches stay, and those flagged in `frozen` (one a point, or empty). Returns the largest
+/// remaining volume error relative to the shell's volume.
 double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
-  const std::vector<char>& frozen = {});
+                      const std::vector<char>& frozen = {});
 
 } // namespace lamina

@@ -9,8 +9,8 @@
 namespace lamina
 {
 
-/// Cell types, with VTK's numbers and node orders. VTK's wedge has its first triangle's normal pointing *out* of the
-/// cell (away from nodes 3, 4, 5); tets and pyramids have their base normal pointing to the apex.
+/// Cell types, with VTK's numbers and node orders. VTK's wedge has its first triangle's normal pointing *out*
+/// of the cell (away from nodes 3, 4, 5); tets and pyramids have their base normal pointing to the apex.
 enum class CellType : unsigned char
 {
   Tetrahedron = 10,
@@ -37,8 +37,11 @@ struct VolumeMesh
   std::vector<Id> interfaceNodeIds; ///< one a point: the surface point it is, else -1
 
   Id CellCount() const { return static_cast<Id>(this->types.size()); }
-  const Id* Cell(Id c) const { return this->connectivity.data() + this->offsets[static_cast<std::size_t>(c)]; }
-  template <std::size_t N>
+  const Id* Cell(Id c) const
+  {
+    return this->connectivity.data() + this->offsets[static_cast<std::size_t>(c)];
+  }
+  template<std::size_t N>
   void AddCell(CellType type, const std::array<Id, N>& nodes, int material, int layer)
   {
     this->types.push_back(type);

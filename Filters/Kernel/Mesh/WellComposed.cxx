@@ -20,8 +20,8 @@ namespace
 /// The labels of 2x2x2 voxels, bit 0 of the index along i, bit 1 along j, bit 2 along k.
 using Block = std::array<int, 8>;
 
-/// A body diagonal whose two ends share a label that no other voxel of the block has, or whose six other voxels share
-/// a label that neither end has. Free of critical edges these are the only corner contacts.
+/// A body diagonal whose two ends share a label that no other voxel of the block has, or whose six other
+/// voxels share a label that neither end has. Free of critical edges these are the only corner contacts.
 bool IsCriticalCorner(const Block& b)
 {
   for (int i = 0; i < 4; ++i)
@@ -37,7 +37,8 @@ bool IsCriticalCorner(const Block& b)
         others[n++] = b[static_cast<std::size_t>(q)];
       }
     }
-    const bool alone = label == far && std::none_of(others, others + 6, [label](int l) { return l == label; });
+    const bool alone =
+      label == far && std::none_of(others, others + 6, [label](int l) { return l == label; });
     const bool same = std::all_of(others, others + 6, [&](int l) { return l == others[0]; });
     if (alone || (same && label != others[0] && far != others[0]))
     {
@@ -50,15 +51,15 @@ bool IsCriticalCorner(const Block& b)
 int CountCritical(const Block& b)
 {
   // The six lattice edges at the block's centre: the 2x2x1 halves, in cyclic order.
-  static const int cycles[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 0, 2, 6, 4 },
-    { 1, 3, 7, 5 } };
+  static const int cycles[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
+                                    { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
   int count = 0;
   for (const auto& c : cycles)
   {
     count += IsCriticalEdge(b[static_cast<std::size_t>(c[0])], b[static_cast<std::size_t>(c[1])],
-               b[static_cast<std::size_t>(c[2])], b[static_cast<std::size_t>(c[3])])
-      ? 1
-      : 0;
+                            b[static_cast<std::size_t>(c[2])], b[static_cast<std::size_t>(c[3])])
+               ? 1
+               : 0;
   }
   return count + (IsCriticalCorner(b) ? 1 : 0);
 }
@@ -82,7 +83,8 @@ public:
   }
   int Label(Id i, Id j, Id k) const
   {
-    const bool inside = i >= 0 && j >= 0 && k >= 0 && i < this->Size[0] && j < this->Size[1] && k < this->Size[2];
+    const bool inside =
+      i >= 0 && j >= 0 && k >= 0 && i < this->Size[0] && j < this->Size[1] && k < this->Size[2];
     return inside ? this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(i, j, k))] : 0;
   }
   Block BlockAt(Id i, Id j, Id k) const
@@ -109,9 +111,13 @@ private:
 
   bool Inside(const Voxel& v) const
   {
-    return v[0] >= 0 && v[1] >= 0 && v[2] >= 0 && v[0] < this->Size[0] && v[1] < this->Size[1] && v[2] < this->Size[2];
+    return v[0] >= 0 && v[1] >= 0 && v[2] >= 0 && v[0] < this->Size[0] && v[1] < this->Size[1] &&
+           v[2] < this->Size[2];
   }
-  int& At(const Voxel& v) { return this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))]; }
+  int& At(const Voxel& v)
+  {
+    return this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
+  }
   int CriticalAround(const Voxel& v) const;
   int Contacts(const Voxel& v, int label) const;
   void LearnRanksAndContacts();
@@ -120,28 +126,30 @@ private:
 
   LabelImage& Image;
   std::array<Id, 3> Size;
-  std::map<int, int> Rank;              ///< 0 the rarest label; ties by id
-  std::set<std::pair<int, int>> Known;  ///< pairs of labels in contact in the input
+  std::map<int, int> Rank;             ///< 0 the rarest label; ties by id
+  std::set<std::pair<int, int>> Known; ///< pairs of labels in contact in the input
 };
 
 std::vector<std::array<Id, 3>> Repair::CriticalPoints(Monitor& monitor) const
 {
   std::vector<std::vector<std::array<Id, 3>>> slices(static_cast<std::size_t>(this->Size[2] + 1));
-  monitor.For(this->Size[2] + 1, 4, [&](Id begin, Id end) {
-    for (Id k = begin; k < end; ++k)
-    {
-      for (Id j = 0; j <= this->Size[1]; ++j)
-      {
-        for (Id i = 0; i <= this->Size[0]; ++i)
-        {
-          if (this->IsMixed(i, j, k) && this->CriticalAt(i, j, k) > 0)
-          {
-            slices[static_cast<std::size_t>(k)].push_back({ i, j, k });
-          }
-        }
-      }
-    }
-  });
+  monitor.For(this->Size[2] + 1, 4,
+              [&](Id begin, Id end)
+              {
+                for (Id k = begin; k < end; ++k)
+                {
+                  for (Id j = 0; j <= this->Size[1]; ++j)
+                  {
+                    for (Id i = 0; i <= this->Size[0]; ++i)
+                    {
+                      if (this->IsMixed(i, j, k) && this->CriticalAt(i, j, k) > 0)
+                      {
+                        slices[static_cast<std::size_t>(k)].push_back({ i, j, k });
+                      }
+                    }
+                  }
+                }
+              });
   std::vector<std::array<Id, 3>> all;
   for (const auto& slice : slices)
   {
@@ -160,8 +168,8 @@ int Repair::CriticalAround(const Voxel& v) const
   return count;
 }
 
-/// Neighbours that `label` at v would touch though such materials touch nowhere in the input (heavily), plus the
-/// 6-neighbours of another label: a flip should bring no new neighbours and roughen nothing.
+/// Neighbours that `label` at v would touch though such materials touch nowhere in the input (heavily), plus
+/// the 6-neighbours of another label: a flip should bring no new neighbours and roughen nothing.
 int Repair::Contacts(const Voxel& v, int label) const
 {
   int cost = 0;
@@ -246,7 +254,8 @@ Repair::Flip Repair::BestFlip(const std::array<Id, 3>& point)
       const Flip flip{ v, label, this->CriticalAround(v) - before, this->Contacts(v, label) - ownCost };
       this->At(v) = own;
       // A forbidden contact outweighs any number of critical configurations: those can be repaired elsewhere.
-      const auto key = [](const Flip& f) { return std::make_pair(f.cost >= 500 ? 1 : 0, std::make_pair(f.change, f.cost)); };
+      const auto key = [](const Flip& f)
+      { return std::make_pair(f.cost >= 500 ? 1 : 0, std::make_pair(f.change, f.cost)); };
       if (!found || key(flip) < key(best))
       {
         best = flip;
@@ -257,7 +266,8 @@ Repair::Flip Repair::BestFlip(const std::array<Id, 3>& point)
   return best;
 }
 
-/// A flip that raises the rank of a voxel of a critical block: the one whose remaining critical count is least.
+/// A flip that raises the rank of a voxel of a critical block: the one whose remaining critical count is
+/// least.
 Repair::Flip Repair::ClimbingFlip(const std::array<Id, 3>& point)
 {
   Flip best;
@@ -338,9 +348,10 @@ std::vector<Id> FindCriticalVoxels(const LabelImage& image, Monitor& monitor)
   {
     for (int q = 0; q < 8; ++q)
     {
-      const std::array<Id, 3> v{ point[0] - 1 + (q & 1), point[1] - 1 + ((q >> 1) & 1), point[2] - 1 + (q >> 2) };
+      const std::array<Id, 3> v{ point[0] - 1 + (q & 1), point[1] - 1 + ((q >> 1) & 1),
+                                 point[2] - 1 + (q >> 2) };
       if (v[0] >= 0 && v[1] >= 0 && v[2] >= 0 && v[0] < image.grid.size[0] && v[1] < image.grid.size[1] &&
-        v[2] < image.grid.size[2])
+          v[2] < image.grid.size[2])
       {
         voxels.insert(image.grid.Index(v[0], v[1], v[2]));
       }

@@ -13,10 +13,10 @@ double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<
 
 /// Per point the least distance of its triangles to any triangle without a common corner, at most `cutoff`.
 /// If every point stays within less than half of its value, no two such triangles can meet.
-std::vector<double> PointClearances(
-  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, double cutoff, Monitor& monitor);
+std::vector<double> PointClearances(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+                                    double cutoff, Monitor& monitor);
 /// The same with a cutoff for every point; a triangle takes the largest of its corners'.
 std::vector<double> PointClearances(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-  const std::vector<double>& cutoffs, Monitor& monitor);
+                                    const std::vector<double>& cutoffs, Monitor& monitor);
 
 } // namespace lamina

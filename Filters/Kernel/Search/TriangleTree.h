@@ -14,9 +14,9 @@ namespace lamina
 struct Box
 {
   Vec3 low{ std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity() };
+            std::numeric_limits<double>::infinity() };
   Vec3 high{ -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
+             -std::numeric_limits<double>::infinity() };
 
   void Add(const Vec3& p);
   void Add(const Box& b);
@@ -25,14 +25,16 @@ struct Box
   double Distance2(const Vec3& p) const; ///< squared distance to p, 0 inside
 };
 
-/// A static bounding volume hierarchy over the triangles given at construction. Queries are const and thread-safe.
-/// Points and triangles are referred to, not copied: they must outlive the tree (see Refit for moved points).
+/// A static bounding volume hierarchy over the triangles given at construction. Queries are const and
+/// thread-safe. Points and triangles are referred to, not copied: they must outlive the tree (see Refit for
+/// moved points).
 class TriangleTree
 {
 public:
   TriangleTree(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
   /// Only the given triangles enter the tree; ids in answers are those of `triangles`.
-  TriangleTree(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, std::vector<Id> subset);
+  TriangleTree(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+               std::vector<Id> subset);
 
   /// Recompute the boxes after points moved.
   void Refit();
@@ -44,7 +46,8 @@ public:
     double distance2 = std::numeric_limits<double>::infinity();
     std::array<double, 3> weights{ { 0, 0, 0 } }; ///< barycentric coordinates in the triangle
   };
-  /// The closest point of the surface within sqrt(limit2) of p; triangle -1 if there is none. Ties go to the lower id.
+  /// The closest point of the surface within sqrt(limit2) of p; triangle -1 if there is none. Ties go to the
+  /// lower id.
   Closest ClosestPoint(const Vec3& p, double limit2 = std::numeric_limits<double>::infinity()) const;
 
   struct Hit
@@ -53,11 +56,11 @@ public:
     double t = std::numeric_limits<double>::infinity(); ///< in lengths of `direction`
   };
   /// First hit of origin + t * direction with t in (tMin, tMax) among triangles that `accept(id)` allows.
-  template <typename Accept>
+  template<typename Accept>
   Hit FirstHit(const Vec3& origin, const Vec3& direction, double tMin, double tMax, Accept&& accept) const;
 
   /// Calls visit(id) for every triangle whose box overlaps `box`; visit returns false to stop.
-  template <typename Visit>
+  template<typename Visit>
   void ForOverlaps(const Box& box, Visit&& visit) const;
 
 private:
@@ -78,10 +81,11 @@ private:
 };
 
 /// Squared distance from p to triangle (a, b, c), its closest point and barycentric weights.
-double PointTriangleDistance2(
-  const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, Vec3& closest, std::array<double, 3>& weights);
+double PointTriangleDistance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, Vec3& closest,
+                              std::array<double, 3>& weights);
 
-/// Moeller-Trumbore: parameter t of the hit of origin + t * direction with triangle (a, b, c), edges included, else NaN.
+/// Moeller-Trumbore: parameter t of the hit of origin + t * direction with triangle (a, b, c), edges
+/// included, else NaN.
 double RayTriangle(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c);
 
 } // namespace lamina

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace lamina
 {
@@ -51,20 +50,6 @@ std::optional<Error> CheckOptions(const FeatureSizeOptions& o)
   return std::nullopt;
 }
 
-double MeanEdgeLength(const TriangleComplex& surface)
-{
-  double sum = 0;
-  for (const Triangle& t : surface.triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sum += Norm(surface.points[static_cast<std::size_t>(t[(k + 1) % 3])] -
-                  surface.points[static_cast<std::size_t>(t[k])]);
-    }
-  }
-  return sum / (3.0 * static_cast<double>(surface.triangles.size()));
-}
-
 /// The limits in use, from the options or from the mean edge length.
 std::optional<Error> FindLimits(const TriangleComplex& surface, const FeatureSizeOptions& options,
                                 FeatureSizeReport& report)
@@ -85,22 +70,11 @@ std::optional<Error> FindLimits(const TriangleComplex& surface, const FeatureSiz
   return std::nullopt;
 }
 
-std::vector<int> MaterialsOf(const TriangleComplex& surface)
-{
-  std::set<int> materials;
-  for (const MaterialPair& pair : surface.materials)
-  {
-    materials.insert({ pair.first, pair.second });
-  }
-  materials.erase(0);
-  return { materials.begin(), materials.end() };
-}
-
 /// Points x materials, NaN where a point does not touch the material; empty if cancelled.
 std::vector<double> MeasureAll(const TriangleComplex& surface, const FeatureSizeOptions& options,
                                const FeatureSizeReport& report, std::vector<double>& raw, Monitor& monitor)
 {
-  const TrianglesAround around = FindTrianglesAround(surface);
+  const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
   const std::size_t columns = report.materials.size();
   std::vector<double> thickness(surface.points.size() * columns, std::numeric_limits<double>::quiet_NaN());
   raw.assign(surface.points.size(), report.maximum);
@@ -109,7 +83,7 @@ std::vector<double> MeasureAll(const TriangleComplex& surface, const FeatureSize
     monitor.Progress(0.9 * static_cast<double>(m) / static_cast<double>(columns), "Measuring thickness");
     const auto ids = PointsOfMaterial(surface, report.materials[m]);
     auto values =
-      MeasureThickness(surface, around, report.materials[m], ids, report.maximum, options.coneAngle, monitor);
+      MeasureThickness(surface, star, report.materials[m], ids, report.maximum, options.coneAngle, monitor);
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       double& least = raw[static_cast<std::size_t>(ids[i])];

@@ -11,8 +11,8 @@ namespace lamina
 
 struct FeatureSizeOptions
 {
-  double minimum = 0;    ///< least feature size used for edges, a length; 0: 2.6 mean edge lengths of the input
-  double maximum = 0;    ///< largest feature size, a length; 0: 20 mean edge lengths of the input
+  double minimum = 0; ///< least feature size used for edges, a length; 0: 2.6 mean edge lengths of the input
+  double maximum = 0; ///< largest feature size, a length; 0: 20 mean edge lengths of the input
   double gradient = 0.3; ///< largest slope of the size field, > 0
   int layers = 6;        ///< layers asked for across a feature, >= 1
   double anisotropy = 2; ///< tangential edge over layer thickness, > 0
@@ -31,7 +31,7 @@ struct FeatureSizeReport
 };
 
 /// Fills featureSize, targetEdgeLength, sizedMaterials and thickness of `surface`.
-Result<FeatureSizeReport> ComputeFeatureSize(
-  TriangleComplex& surface, const FeatureSizeOptions& options, Monitor& monitor);
+Result<FeatureSizeReport> ComputeFeatureSize(TriangleComplex& surface, const FeatureSizeOptions& options,
+                                             Monitor& monitor);
 
 } // namespace lamina

@@ -26,10 +26,9 @@ bool Touches(const MaterialPair& pair, int material)
 class Caster
 {
 public:
-  Caster(const TriangleComplex& surface, const TrianglesAround& around, int material, double maximum,
-         double coneAngle)
+  Caster(const TriangleComplex& surface, const Lists& star, int material, double maximum, double coneAngle)
     : Surface(surface)
-    , Around(around)
+    , Star(star)
     , Material(material)
     , Maximum(maximum)
     , Cosine(std::cos(coneAngle * Pi / 180))
@@ -61,10 +60,12 @@ public:
       found[static_cast<std::size_t>(k) + 1] =
         this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
     }
-    // The median: in a wall all rays find the other side, while on a rough surface one may graze a bump next to the
-    // point and another slip through a gap.
-    std::nth_element(found.begin(), found.begin() + 3, found.end());
-    return found[3];
+    // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least is
+    // the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
+    // the median.
+    std::sort(found.begin(), found.end());
+    const double graze = 0.9 * this->Cosine * this->Cosine * found[3];
+    return *std::lower_bound(found.begin(), found.end(), graze);
   }
 
 private:
@@ -90,18 +91,16 @@ private:
   /// Along the normal out of the material, twice the area long.
   Vec3 Outward(Id triangle) const
   {
-    const Vec3 n = Cross(this->Corner(triangle, 1) - this->Corner(triangle, 0),
-                         this->Corner(triangle, 2) - this->Corner(triangle, 0));
+    const Vec3 n =
+      AreaVector2(this->Surface.points, this->Surface.triangles[static_cast<std::size_t>(triangle)]);
     return this->Surface.materials[static_cast<std::size_t>(triangle)].first == this->Material ? n : -n;
   }
 
   template<typename Visit>
   void ForTriangles(Id point, Visit&& visit) const
   {
-    const auto p = static_cast<std::size_t>(point);
-    for (std::size_t i = this->Around.start[p]; i < this->Around.start[p + 1]; ++i)
+    for (Id t : Row(this->Star, point))
     {
-      const Id t = this->Around.triangles[i];
       if (Touches(this->Surface.materials[static_cast<std::size_t>(t)], this->Material))
       {
         visit(t);
@@ -152,7 +151,8 @@ private:
     const auto leaves = [&](Id t)
     {
       const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
-      return c[0] != point && c[1] != point && c[2] != point && Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
+      return c[0] != point && c[1] != point && c[2] != point &&
+             Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
     };
     const auto hit = this->Walls.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
                                           nearest, this->Maximum * cosine, leaves);
@@ -160,7 +160,7 @@ private:
   }
 
   const TriangleComplex& Surface;
-  const TrianglesAround& Around;
+  const Lists& Star;
   int Material;
   double Maximum;
   double Cosine;
@@ -169,33 +169,6 @@ private:
 };
 
 } // namespace
-
-TrianglesAround FindTrianglesAround(const TriangleComplex& surface)
-{
-  TrianglesAround around;
-  around.start.assign(surface.points.size() + 1, 0);
-  for (const Triangle& t : surface.triangles)
-  {
-    for (Id p : t)
-    {
-      ++around.start[static_cast<std::size_t>(p) + 1];
-    }
-  }
-  for (std::size_t p = 0; p < surface.points.size(); ++p)
-  {
-    around.start[p + 1] += around.start[p];
-  }
-  around.triangles.resize(around.start.back());
-  std::vector<std::size_t> next(around.start.begin(), around.start.end() - 1);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    for (Id p : surface.triangles[t])
-    {
-      around.triangles[next[static_cast<std::size_t>(p)]++] = static_cast<Id>(t);
-    }
-  }
-  return around;
-}
 
 std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
 {
@@ -221,11 +194,11 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material)
   return ids;
 }
 
-std::vector<double> MeasureThickness(const TriangleComplex& surface, const TrianglesAround& around,
-                                     int material, const std::vector<Id>& ids, double maximum,
-                                     double coneAngle, Monitor& monitor)
+std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star, int material,
+                                     const std::vector<Id>& ids, double maximum, double coneAngle,
+                                     Monitor& monitor)
 {
-  const Caster caster(surface, around, material, maximum, coneAngle);
+  const Caster caster(surface, star, material, maximum, coneAngle);
   std::vector<double> thickness(ids.size(), maximum);
   monitor.For(static_cast<Id>(ids.size()), Grain,
               [&](Id begin, Id end)

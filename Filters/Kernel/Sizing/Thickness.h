@@ -3,18 +3,10 @@
 #pragma once
 
 #include "../Base/Monitor.h"
-#include "../Mesh/TriangleComplex.h"
+#include "../Mesh/Adjacency.h"
 
 namespace lamina
 {
-
-/// The triangles around each point: those of p are triangles[start[p]] to triangles[start[p + 1] - 1].
-struct TrianglesAround
-{
-  std::vector<std::size_t> start;
-  std::vector<Id> triangles;
-};
-TrianglesAround FindTrianglesAround(const TriangleComplex& surface);
 
 /// The points that touch `material`, ascending.
 std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material);
@@ -22,11 +14,11 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material);
 /// The thickness of `material` at the points `ids` of its boundary, at most `maximum`. Seven rays go inward,
 /// along the angle-weighted normal and at coneAngle (degrees) around it; where one leaves the material, a
 /// ball through the place that touches the boundary at the point has the diameter t / cos(angle to the
-/// normal). The least diameter counts: it is the wall's thickness in a slab and the diameter of a sphere or a
-/// tube, and as each is bounded by a real wall, too small a value costs some cells where too large a one
-/// would cost layers. Openings are no walls.
-std::vector<double> MeasureThickness(const TriangleComplex& surface, const TrianglesAround& around,
-                                     int material, const std::vector<Id>& ids, double maximum,
-                                     double coneAngle, Monitor& monitor);
+/// normal). The least diameter counts that does not lie far below the median, where rays graze roughness: it
+/// is the wall's thickness in a slab and the diameter of a sphere or a tube. Openings are no walls. `star`:
+/// TrianglesOfPoints of the surface.
+std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star, int material,
+                                     const std::vector<Id>& ids, double maximum, double coneAngle,
+                                     Monitor& monitor);
 
 } // namespace lamina

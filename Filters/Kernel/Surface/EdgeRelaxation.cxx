@@ -11,7 +11,8 @@ namespace
 
 constexpr int mostMaterials = 4; ///< around one edge; more leave no freedom
 
-/// First-order change of six times a material's volume: by the first point, by the second, and the bilinear part.
+/// First-order change of six times a material's volume: by the first point, by the second, and the bilinear
+/// part.
 struct Gradient
 {
   int material;
@@ -43,7 +44,8 @@ struct Gradients
   }
 };
 
-/// Adds the triangles at `p`; `other` is the edge's other end (or -1). Positions are taken relative to `origin`.
+/// Adds the triangles at `p`; `other` is the edge's other end (or -1). Positions are taken relative to
+/// `origin`.
 bool AddStar(const SmoothingState& s, Id p, Id other, const Vec3& origin, bool isFirst, Gradients& gradients)
 {
   for (Id t : Row(s.star, p))
@@ -52,8 +54,8 @@ bool AddStar(const SmoothingState& s, Id p, Id other, const Vec3& origin, bool i
     const std::size_t at = tri[0] == p ? 0 : (tri[1] == p ? 1 : 2);
     const Id q = tri[(at + 1) % 3];
     const Id r = tri[(at + 2) % 3];
-    const Vec3 area =
-      Cross(s.surface.points[static_cast<std::size_t>(q)] - origin, s.surface.points[static_cast<std::size_t>(r)] - origin);
+    const Vec3 area = Cross(s.surface.points[static_cast<std::size_t>(q)] - origin,
+                            s.surface.points[static_cast<std::size_t>(r)] - origin);
     const MaterialPair& pair = s.surface.materials[static_cast<std::size_t>(t)];
     for (int side = 0; side < 2; ++side)
     {
@@ -77,7 +79,8 @@ bool AddStar(const SmoothingState& s, Id p, Id other, const Vec3& origin, bool i
   return true;
 }
 
-/// The move of least norm within `freedom` that meets g_i . c = r_i: Gram-Schmidt over the independent conditions.
+/// The move of least norm within `freedom` that meets g_i . c = r_i: Gram-Schmidt over the independent
+/// conditions.
 bool SolveTranslation(const Vec3* g, const double* r, int count, const Freedom& freedom, Vec3& c)
 {
   Vec3 basis[3];
@@ -143,7 +146,8 @@ bool TranslateOnSheet(const SmoothingState& s, Id a, Id b, const Vec3& da, const
   {
     const Triangle& tri = s.surface.triangles[static_cast<std::size_t>(t)];
     const std::size_t at = tri[0] == b ? 0 : (tri[1] == b ? 1 : 2);
-    areaB += Cross(x[static_cast<std::size_t>(tri[(at + 1) % 3])] - origin, x[static_cast<std::size_t>(tri[(at + 2) % 3])] - origin);
+    areaB += Cross(x[static_cast<std::size_t>(tri[(at + 1) % 3])] - origin,
+                   x[static_cast<std::size_t>(tri[(at + 2) % 3])] - origin);
   }
   const Vec3 gradient = areaA + areaB + Cross(both, da - db);
   const double g2 = Norm2(gradient);
@@ -179,9 +183,10 @@ void LaplacianMoves(const SmoothingState& s, Id a, Id b, Vec3& moveA, Vec3& move
   if (b < 0)
   {
     int n = 0;
-    const Vec3 mean = curveA[0] >= 0
-      ? 0.5 * (x[static_cast<std::size_t>(curveA[0])] + x[static_cast<std::size_t>(curveA[1])])
-      : RingSum(s, a, -1, n) * (1.0 / std::max<double>(1, static_cast<double>(s.ring.Count(a))));
+    const Vec3 mean =
+      curveA[0] >= 0
+        ? 0.5 * (x[static_cast<std::size_t>(curveA[0])] + x[static_cast<std::size_t>(curveA[1])])
+        : RingSum(s, a, -1, n) * (1.0 / std::max<double>(1, static_cast<double>(s.ring.Count(a))));
     moveA = mean - xa;
     moveB = {};
     return;
@@ -220,14 +225,14 @@ bool RelaxEdge(const SmoothingState& s, Id a, Id b, double weight, Relaxation& r
   // Inside a plane patch no move in the plane changes a volume.
   const unsigned char kindA = s.surface.junctionKind[static_cast<std::size_t>(a)];
   if (kindA == (JunctionSheet | JunctionInBorderPlane) &&
-    (b < 0 || s.surface.junctionKind[static_cast<std::size_t>(b)] == kindA))
+      (b < 0 || s.surface.junctionKind[static_cast<std::size_t>(b)] == kindA))
   {
     relaxation = { a, b, da, db };
     return true;
   }
   const unsigned char sheet = JunctionSheet;
   if (b >= 0 && s.surface.junctionKind[static_cast<std::size_t>(a)] == sheet &&
-    s.surface.junctionKind[static_cast<std::size_t>(b)] == sheet)
+      s.surface.junctionKind[static_cast<std::size_t>(b)] == sheet)
   {
     Vec3 c;
     if (!TranslateOnSheet(s, a, b, da, db, c))

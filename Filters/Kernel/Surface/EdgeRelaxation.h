@@ -16,11 +16,12 @@ struct Relaxation
   Vec3 moveB;
 };
 
-/// The relaxation of edge (a, b), or of point a alone where b is -1: the simultaneous Laplacian move of both ends
-/// (along the curve for points of a junction curve), scaled by `weight`, plus the least common translation that keeps
-/// the volume of every material around exactly. For two materials this is Algorithm 4, on a triple line Algorithm 6 of
-/// Kuprat, Khamayseh, George and Larkey (J. Comput. Phys. 172, 2001); here one formula serves any number of materials.
-/// Returns false where the conditions cannot be met by a small translation.
+/// The relaxation of edge (a, b), or of point a alone where b is -1: the simultaneous Laplacian move of both
+/// ends (along the curve for points of a junction curve), scaled by `weight`, plus the least common
+/// translation that keeps the volume of every material around exactly. For two materials this is Algorithm 4,
+/// on a triple line Algorithm 6 of Kuprat, Khamayseh, George and Larkey (J. Comput. Phys. 172, 2001); here
+/// one formula serves any number of materials. Returns false where the conditions cannot be met by a small
+/// translation.
 bool RelaxEdge(const SmoothingState& state, Id a, Id b, double weight, Relaxation& relaxation);
 
 } // namespace lamina

@@ -23,7 +23,7 @@ bool EditableSurface::IsSound(const Edit& edit) const
 {
   bool allVisible = true;
   return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit, allVisible) && this->IsNearInput(edit) &&
-    this->IsClearOfOthers(edit) && (allVisible || this->IsClearOfItself(edit));
+         this->IsClearOfOthers(edit) && (allVisible || this->IsClearOfItself(edit));
 }
 
 bool EditableSurface::HasGoodShapes(const Edit& edit) const
@@ -34,7 +34,12 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
     const Vec3 area = Cross(b - a, c - a);
+<<<<<<< HEAD
     if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) || !(TriangleQuality(a, b, c) >= edit.leastQuality))
+=======
+    if (Dot(area, t.normal) < leastTurnCosine * Norm(area) ||
+        !(TriangleQuality(a, b, c) >= edit.leastQuality))
+>>>>>>> volume
     {
       return false;
     }
@@ -42,8 +47,8 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
   return !edit.added.empty();
 }
 
-/// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first edge of
-/// one triangle, and the edges opposite to it are old.
+/// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first
+/// edge of one triangle, and the edges opposite to it are old.
 bool EditableSurface::IsNearInput(const Edit& edit) const
 {
   const double least = this->Mending ? 0.5 * this->Input.MeanEdge() : 0;
@@ -59,8 +64,13 @@ bool EditableSurface::IsNearInput(const Edit& edit) const
     for (std::size_t k = 0; k < 3; ++k)
     {
       const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
+<<<<<<< HEAD
       if (test &&
         !this->Input.IsNear(t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
+=======
+      if (test && !this->Input.IsNear(
+                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3]))))
+>>>>>>> volume
       {
         return false;
       }
@@ -75,11 +85,14 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit) const
   for (const Added& t : edit.added)
   {
     const Box box = this->BoxOf(t.corners);
-    const bool clear = this->Grid.ForNear(box, [&](Id other) {
-      return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
-        !box.Overlaps(this->BoxOf(this->Corners(other))) ||
-        !TrianglesIntersect(this->Points, t.corners, this->Corners(other));
-    });
+    const bool clear =
+      this->Grid.ForNear(box,
+                         [&](Id other)
+                         {
+                           return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
+                                  !box.Overlaps(this->BoxOf(this->Corners(other))) ||
+                                  !TrianglesIntersect(this->Points, t.corners, this->Corners(other));
+                         });
     if (!clear)
     {
       return false;
@@ -88,7 +101,8 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit) const
   return true;
 }
 
-/// The new triangles do not meet one another either. Where a direction sees all faces of every node they cannot.
+/// The new triangles do not meet one another either. Where a direction sees all faces of every node they
+/// cannot.
 bool EditableSurface::IsClearOfItself(const Edit& edit) const
 {
   for (std::size_t i = 0; i < edit.added.size(); ++i)
@@ -104,8 +118,8 @@ bool EditableSurface::IsClearOfItself(const Edit& edit) const
   return true;
 }
 
-/// The least, over the materials at p, of how well the best direction into the material sees its faces there. With an
-/// edit: as it would be after it.
+/// The least, over the materials at p, of how well the best direction into the material sees its faces there.
+/// With an edit: as it would be after it.
 double EditableSurface::Visibility(Id p, const Edit* edit) const
 {
   struct Face
@@ -114,9 +128,12 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
     MaterialPair pair;
   };
   std::vector<Face> faces;
-  const auto add = [&](const Triangle& corners, int sheet) {
-    faces.push_back({ Normalized(AreaVector2(this->Points, corners)),
-      this->Input.Surface().materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
+  const auto add = [&](const Triangle& corners, int sheet)
+  {
+    faces.push_back(
+      { Normalized(AreaVector2(this->Points, corners)),
+        this->Input.Surface()
+          .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
   };
   for (Id t : this->Star(p))
   {
@@ -186,8 +203,8 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (Id p : nodes)
   {
-    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new: the old
-    // value is only approximate for a moved point, which errs on the strict side.)
+    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new:
+    // the old value is only approximate for a moved point, which errs on the strict side.)
     const double after = this->Visibility(p, &edit);
     allVisible = allVisible && after >= leastVisibility;
     if (this->Mending)

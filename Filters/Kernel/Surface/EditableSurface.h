@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A multimaterial surface whose triangles can be split, merged and swapped. Every edit keeps the topology of the
-// complex, and is refused where it would fold, intersect, hide a node or leave the input surface.
+// A multimaterial surface whose triangles can be split, merged and swapped. Every edit keeps the topology of
+// the complex, and is refused where it would fold, intersect, hide a node or leave the input surface.
 #pragma once
 
 #include "../Mesh/VolumeCorrection.h"
@@ -26,7 +26,10 @@ public:
   const std::vector<Id>& Star(Id p) const { return this->Stars[static_cast<std::size_t>(p)]; }
   double Length(Id a, Id b) const { return Norm(this->Point(a) - this->Point(b)); }
   /// Length over the stricter target of the two ends.
-  double RelativeLength(Id a, Id b) const { return this->Length(a, b) / std::min(this->Target(a), this->Target(b)); }
+  double RelativeLength(Id a, Id b) const
+  {
+    return this->Length(a, b) / std::min(this->Target(a), this->Target(b));
+  }
   double Quality(Id triangle) const;
   /// The triangles at edge (a, b).
   std::vector<Id> TrianglesAt(Id a, Id b) const;
@@ -34,7 +37,8 @@ public:
   // Edits; each returns whether it was done.
   /// Bisect the edge at its middle; always safe. Returns the new point.
   Id Split(Id a, Id b);
-  /// Merge the two ends of an edge; `anyLength` allows new edges longer than the targets (to remove a bad triangle).
+  /// Merge the two ends of an edge; `anyLength` allows new edges longer than the targets (to remove a bad
+  /// triangle).
   bool Merge(Id a, Id b, bool anyLength = false);
   /// Swap the edge for the other diagonal of its two triangles if that betters the worse of the two.
   bool Swap(Id a, Id b);
@@ -109,7 +113,7 @@ private:
   std::vector<Class> Classes;
   std::vector<std::vector<Id>> Stars;
   std::vector<Triangle> Triangles;
-  std::vector<int> Sheets; ///< sheet of a triangle, in the input's SheetGraph
+  std::vector<int> Sheets;     ///< sheet of a triangle, in the input's SheetGraph
   std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
   bool Mending = false;  ///< within Uncover

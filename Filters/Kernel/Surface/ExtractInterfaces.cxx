@@ -15,13 +15,14 @@ namespace lamina
 namespace
 {
 
-/// A voxel face between two materials: the lattice point of its lower corner, its axis, and what lies on either side.
+/// A voxel face between two materials: the lattice point of its lower corner, its axis, and what lies on
+/// either side.
 struct Face
 {
   std::array<Id, 3> corner;
   int axis;
-  int low;  ///< label on the low side of the face
-  int high; ///< label on the high side
+  int low;   ///< label on the low side of the face
+  int high;  ///< label on the high side
   int plane; ///< 0 inside the image, else 1 + 2 * axis + (1 at the high border)
   bool open;
 };
@@ -44,12 +45,15 @@ public:
 private:
   int Label(const std::array<Id, 3>& v, bool& outside) const
   {
-    outside = v[0] < 0 || v[1] < 0 || v[2] < 0 || v[0] >= this->Size[0] || v[1] >= this->Size[1] || v[2] >= this->Size[2];
-    return outside ? 0 : this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
+    outside = v[0] < 0 || v[1] < 0 || v[2] < 0 || v[0] >= this->Size[0] || v[1] >= this->Size[1] ||
+              v[2] >= this->Size[2];
+    return outside ? 0
+                   : this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
   }
   bool WasCut(const std::array<Id, 3>& v) const
   {
-    return !this->Cut.empty() && this->Cut[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
+    return !this->Cut.empty() &&
+           this->Cut[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
   }
   bool IsOpen(const Face& face, const std::array<Id, 3>& low, const std::array<Id, 3>& high) const;
   void CollectSlice(Id k, std::vector<Face>& faces) const;
@@ -114,12 +118,14 @@ void Extraction::CollectSlice(Id k, std::vector<Face>& faces) const
 bool Extraction::CollectFaces(Monitor& monitor)
 {
   std::vector<std::vector<Face>> slices(static_cast<std::size_t>(this->Size[2] + 1));
-  monitor.For(this->Size[2] + 1, 2, [&](Id begin, Id end) {
-    for (Id k = begin; k < end; ++k)
-    {
-      this->CollectSlice(k, slices[static_cast<std::size_t>(k)]);
-    }
-  });
+  monitor.For(this->Size[2] + 1, 2,
+              [&](Id begin, Id end)
+              {
+                for (Id k = begin; k < end; ++k)
+                {
+                  this->CollectSlice(k, slices[static_cast<std::size_t>(k)]);
+                }
+              });
   for (const auto& slice : slices)
   {
     this->Faces.insert(this->Faces.end(), slice.begin(), slice.end());
@@ -174,7 +180,8 @@ void Extraction::MakeTriangles(TriangleComplex& surface)
   for (const Face& face : this->Faces)
   {
     const bool lowFirst = face.high == 0 || (face.low != 0 && face.low < face.high);
-    const MaterialPair pair = lowFirst ? MaterialPair{ face.low, face.high } : MaterialPair{ face.high, face.low };
+    const MaterialPair pair =
+      lowFirst ? MaterialPair{ face.low, face.high } : MaterialPair{ face.high, face.low };
     const auto corners = this->Corners(face);
     std::array<Id, 4> q;
     for (std::size_t n = 0; n < 4; ++n)
@@ -213,7 +220,8 @@ Id Extraction::NamePatches(TriangleComplex& surface)
   const std::size_t count = surface.triangles.size();
   std::vector<std::size_t> root(count);
   std::iota(root.begin(), root.end(), std::size_t{ 0 });
-  const auto find = [&](std::size_t t) {
+  const auto find = [&](std::size_t t)
+  {
     while (root[t] != t)
     {
       t = root[t] = root[root[t]];
@@ -230,7 +238,7 @@ Id Extraction::NamePatches(TriangleComplex& surface)
         const auto a = static_cast<std::size_t>(s);
         const auto b = static_cast<std::size_t>(t);
         if (a < b && this->PlaneOfTriangle[a] < 0 && this->PlaneOfTriangle[a] == this->PlaneOfTriangle[b] &&
-          surface.materials[a] == surface.materials[b])
+            surface.materials[a] == surface.materials[b])
         {
           const std::size_t ra = find(a);
           const std::size_t rb = find(b);
@@ -278,22 +286,24 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
     return InvalidInput("the label image is not three-dimensional (" + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]) + " x " + std::to_string(size[2]) + " voxels): give an image with at least 2 voxels along each axis");
+                        std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+                        " voxels): give an image with at least 2 voxels along each axis");
   }
   if (static_cast<Id>(image.labels.size()) != image.grid.Count())
   {
     return InvalidInput("the label image has " + std::to_string(image.labels.size()) + " values for " +
-      std::to_string(image.grid.Count()) + " voxels");
+                        std::to_string(image.grid.Count()) + " voxels");
   }
   const auto range = std::minmax_element(image.labels.begin(), image.labels.end());
   if (*range.first < 0 || *range.second > 65535)
   {
     return InvalidInput("material ids must lie between 0 and 65535, but the image holds " +
-      std::to_string(*range.first) + " to " + std::to_string(*range.second));
+                        std::to_string(*range.first) + " to " + std::to_string(*range.second));
   }
   if (*range.second == 0)
   {
-    return InvalidInput("every voxel is background (0): there is no material to extract; check the thresholds or the labels");
+    return InvalidInput(
+      "every voxel is background (0): there is no material to extract; check the thresholds or the labels");
   }
   if (options.mask != nullptr && options.mask->grid.size != size)
   {
@@ -304,8 +314,8 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
 
 } // namespace
 
-Result<ExtractInterfacesReport> ExtractInterfaces(
-  const LabelImage& image, TriangleComplex& surface, const ExtractInterfacesOptions& options, Monitor& monitor)
+Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, TriangleComplex& surface,
+                                                  const ExtractInterfacesOptions& options, Monitor& monitor)
 {
   Result<ExtractInterfacesReport> checked = CheckImage(image, options);
   if (!checked)

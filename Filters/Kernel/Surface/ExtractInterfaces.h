@@ -12,8 +12,8 @@ namespace lamina
 
 struct ExtractInterfacesOptions
 {
-  /// Materials that stay open where they reach the border of the image or of the mask: their end is a plane patch
-  /// "opening_1", ... Empty: every end is an ordinary wall.
+  /// Materials that stay open where they reach the border of the image or of the mask: their end is a plane
+  /// patch "opening_1", ... Empty: every end is an ordinary wall.
   std::vector<int> openMaterials;
   bool openAtImageBorder = false;
   bool openAtMaskBorder = false;
@@ -33,9 +33,9 @@ struct ExtractInterfacesReport
   std::vector<int> materials; ///< ids present, background apart
 };
 
-/// Extract the interface surfaces of `image` into `surface`. Each material's boundary is closed and 2-manifold;
-/// nodes are shared between materials; points are in world coordinates.
-Result<ExtractInterfacesReport> ExtractInterfaces(
-  const LabelImage& image, TriangleComplex& surface, const ExtractInterfacesOptions& options, Monitor& monitor);
+/// Extract the interface surfaces of `image` into `surface`. Each material's boundary is closed and
+/// 2-manifold; nodes are shared between materials; points are in world coordinates.
+Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, TriangleComplex& surface,
+                                                  const ExtractInterfacesOptions& options, Monitor& monitor);
 
 } // namespace lamina

@@ -47,8 +47,8 @@ bool InputSurface::IsNear(int sheet, const Vec3& p, double least) const
   return place.distance2 <= local * local;
 }
 
-double InputSurface::Interpolate(
-  const std::vector<double>& field, const TriangleTree::Closest& place, std::size_t stride, std::size_t component) const
+double InputSurface::Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,
+                                 std::size_t stride, std::size_t component) const
 {
   const Triangle& t = this->Complex.triangles[static_cast<std::size_t>(place.triangle)];
   double sum = 0;

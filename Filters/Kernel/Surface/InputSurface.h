@@ -14,7 +14,8 @@ namespace lamina
 class InputSurface
 {
 public:
-  /// `tolerance`: largest distance of edits, a length; 0: a tenth of the local feature size, at most half a mean edge.
+  /// `tolerance`: largest distance of edits, a length; 0: a tenth of the local feature size, at most half a
+  /// mean edge.
   InputSurface(const TriangleComplex& surface, double tolerance);
 
   const TriangleComplex& Surface() const { return this->Complex; }
@@ -24,10 +25,13 @@ public:
   TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
   /// True if p lies within the tolerance of the sheet, or within `least` if that is more.
   bool IsNear(int sheet, const Vec3& p, double least = 0) const;
-  double TargetAt(const TriangleTree::Closest& place) const { return this->Interpolate(this->Complex.targetEdgeLength, place); }
+  double TargetAt(const TriangleTree::Closest& place) const
+  {
+    return this->Interpolate(this->Complex.targetEdgeLength, place);
+  }
   /// A point field at a place; NaN corners are left out.
-  double Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place, std::size_t stride = 1,
-    std::size_t component = 0) const;
+  double Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,
+                     std::size_t stride = 1, std::size_t component = 0) const;
   int TriangleSheet(Id t) const { return this->Graph.sheetOfTriangle[static_cast<std::size_t>(t)]; }
 
 private:

@@ -47,11 +47,15 @@ private:
     const auto& s = this->Labels.grid.size;
     return v[0] >= 0 && v[1] >= 0 && v[2] >= 0 && v[0] < s[0] && v[1] < s[1] && v[2] < s[2];
   }
-  std::size_t At(const Voxel& v) const { return static_cast<std::size_t>(this->Labels.grid.Index(v[0], v[1], v[2])); }
+  std::size_t At(const Voxel& v) const
+  {
+    return static_cast<std::size_t>(this->Labels.grid.Index(v[0], v[1], v[2]));
+  }
   bool IsOpenMaterial(const Voxel& v) const
   {
     const int label = this->Labels.labels[this->At(v)];
-    return label != 0 && std::find(this->Materials.begin(), this->Materials.end(), label) != this->Materials.end();
+    return label != 0 &&
+           std::find(this->Materials.begin(), this->Materials.end(), label) != this->Materials.end();
   }
   /// Bits 2 * axis + side of the faces of an open-material voxel that look at background outside the mask.
   int FacesOutside(const Voxel& v) const
@@ -91,7 +95,8 @@ std::vector<Voxel> Cutter::GatherContact(Id seed)
   {
     for (int q = 0; q < 27; ++q)
     {
-      const Voxel n{ contact[next][0] + q % 3 - 1, contact[next][1] + q / 3 % 3 - 1, contact[next][2] + q / 9 - 1 };
+      const Voxel n{ contact[next][0] + q % 3 - 1, contact[next][1] + q / 3 % 3 - 1,
+                     contact[next][2] + q / 9 - 1 };
       if (this->Inside(n) && !this->Seen[this->At(n)] && this->FacesOutside(n) != 0)
       {
         this->Seen[this->At(n)] = 1;
@@ -113,7 +118,8 @@ void Cutter::CutContact(const std::vector<Voxel>& contact)
       facing[d] += bits >> d & 1;
     }
   }
-  const std::size_t d = static_cast<std::size_t>(std::max_element(facing.begin(), facing.end()) - facing.begin());
+  const std::size_t d =
+    static_cast<std::size_t>(std::max_element(facing.begin(), facing.end()) - facing.begin());
   const std::size_t axis = d / 2;
   const bool high = d % 2 == 1;
   Id deepest = contact[0][axis];
@@ -126,7 +132,8 @@ void Cutter::CutContact(const std::vector<Voxel>& contact)
   const auto total = std::count(this->Labels.labels.begin(), this->Labels.labels.end(), material);
   std::vector<Voxel> beyond;
   std::vector<int> before;
-  const auto take = [&](const Voxel& v) {
+  const auto take = [&](const Voxel& v)
+  {
     if (this->Inside(v) && this->IsOpenMaterial(v) && (high ? v[axis] >= deepest : v[axis] <= deepest))
     {
       before.push_back(this->Labels.labels[this->At(v)]);
@@ -164,7 +171,8 @@ void Cutter::CutContact(const std::vector<Voxel>& contact)
 
 } // namespace
 
-std::vector<char> CutMaterialsAtMask(LabelImage& labels, const LabelImage& mask, const std::vector<int>& materials)
+std::vector<char> CutMaterialsAtMask(LabelImage& labels, const LabelImage& mask,
+                                     const std::vector<int>& materials)
 {
   return Cutter(labels, mask, materials).Run();
 }

@@ -9,11 +9,12 @@
 namespace lamina
 {
 
-/// Where one of `materials` meets the mask's edge (a background voxel outside the mask), cut it by an axis-aligned
-/// plane, so that the opening there is plane: what is beyond becomes background. Every connected contact is cut along
-/// the axis in which it faces outside most, just inside its deepest voxel. A cut that would take more than a fifth of
-/// its material is left out (the contact is no vessel's end), and the contact stays a wall.
-/// Returns a flag a voxel: 1 where a cut took it; empty if there was none.
-std::vector<char> CutMaterialsAtMask(LabelImage& labels, const LabelImage& mask, const std::vector<int>& materials);
+/// Where one of `materials` meets the mask's edge (a background voxel outside the mask), cut it by an
+/// axis-aligned plane, so that the opening there is plane: what is beyond becomes background. Every connected
+/// contact is cut along the axis in which it faces outside most, just inside its deepest voxel. A cut that
+/// would take more than a fifth of its material is left out (the contact is no vessel's end), and the contact
+/// stays a wall. Returns a flag a voxel: 1 where a cut took it; empty if there was none.
+std::vector<char> CutMaterialsAtMask(LabelImage& labels, const LabelImage& mask,
+                                     const std::vector<int>& materials);
 
 } // namespace lamina

@@ -9,10 +9,12 @@ namespace lamina
 namespace
 {
 
-constexpr double leastTurnCosine = 0.82; ///< between a triangle's normal now and at the phase's start: 35 degrees
-constexpr double wideOpening = -0.5;     ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
-constexpr double leastShape = 0.08;      ///< twice the area over the longest edge squared
-constexpr double flattestFold = -0.7;    ///< cosine between neighbours' directions: no dihedral below about 45 degrees
+constexpr double leastTurnCosine =
+  0.82;                              ///< between a triangle's normal now and at the phase's start: 35 degrees
+constexpr double wideOpening = -0.5; ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
+constexpr double leastShape = 0.08;  ///< twice the area over the longest edge squared
+constexpr double flattestFold =
+  -0.7; ///< cosine between neighbours' directions: no dihedral below about 45 degrees
 
 } // namespace
 
@@ -64,7 +66,8 @@ bool MoveGuard::OpensWide(Id e) const
   const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
   const Vec3& a = this->Anchor[static_cast<std::size_t>(edge.a)];
   const Vec3 u = Normalized(this->Anchor[static_cast<std::size_t>(edge.b)] - a);
-  const auto direction = [&](Id triangle) {
+  const auto direction = [&](Id triangle)
+  {
     const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
     const Vec3 w = this->Anchor[static_cast<std::size_t>(tri[0] + tri[1] + tri[2] - edge.a - edge.b)] - a;
     return Normalized(w - Dot(w, u) * u);
@@ -88,8 +91,8 @@ bool MoveGuard::StaysNear(Id p, const Vec3& place) const
   const auto v = static_cast<std::size_t>(p);
   const Vec3 drift = place - this->Origin[v];
   return IsFinite(place) && Norm2(place - this->Anchor[v]) <= this->Radii[v] * this->Radii[v] &&
-    std::abs(Dot(drift, this->OriginNormal[v])) <= this->LargestDrift &&
-    Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
+         std::abs(Dot(drift, this->OriginNormal[v])) <= this->LargestDrift &&
+         Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
 }
 
 bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
@@ -105,7 +108,7 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
     const double along = Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]);
     const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
     if (along < 0 || along * along < leastTurnCosine * leastTurnCosine * size2 ||
-      size2 < leastShape * leastShape * longest2 * longest2)
+        size2 < leastShape * leastShape * longest2 * longest2)
     {
       return false;
     }
@@ -113,14 +116,16 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
   return true;
 }
 
-/// Every two triangles at an edge of t open wider than about 45 degrees, or at least no less than before the move.
+/// Every two triangles at an edge of t open wider than about 45 degrees, or at least no less than before the
+/// move.
 bool MoveGuard::KeepsAngles(Id t, const Relaxation& r) const
 {
   const auto& points = this->State.surface.points;
   for (Id e : this->State.edgesOfTriangle[static_cast<std::size_t>(t)])
   {
     const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
-    const auto direction = [&](Id triangle, bool moved) {
+    const auto direction = [&](Id triangle, bool moved)
+    {
       const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
       const Id far = tri[0] + tri[1] + tri[2] - edge.a - edge.b;
       const Vec3 a = moved ? this->Place(edge.a, r) : points[static_cast<std::size_t>(edge.a)];

@@ -7,9 +7,9 @@
 namespace lamina
 {
 
-/// Accepts or refuses relaxations during one phase of sweeps. Safety rests on two bounds: every point stays within a
-/// ball around its place at the phase's start, small enough that triangles without a common corner cannot meet; and
-/// triangles with a common corner keep their direction, shape and dihedral angles.
+/// Accepts or refuses relaxations during one phase of sweeps. Safety rests on two bounds: every point stays
+/// within a ball around its place at the phase's start, small enough that triangles without a common corner
+/// cannot meet; and triangles with a common corner keep their direction, shape and dihedral angles.
 class MoveGuard
 {
 public:

@@ -46,7 +46,8 @@ Freedom FreedomOf(const TriangleComplex& surface, const Lists& star, Id point)
     {
       continue;
     }
-    const Vec3 normal = Normalized(AreaVector2(surface.points, surface.triangles[static_cast<std::size_t>(t)]));
+    const Vec3 normal =
+      Normalized(AreaVector2(surface.points, surface.triangles[static_cast<std::size_t>(t)]));
     if (freedom.dimensions == 3)
     {
       freedom = { 2, normal };

@@ -34,12 +34,13 @@ struct SmoothingState
   explicit SmoothingState(TriangleComplex& complex);
 
   TriangleComplex& surface;
-  Lists star;                                  ///< triangles of points
-  Lists ring;                                  ///< neighbours of points, ascending
+  Lists star; ///< triangles of points
+  Lists ring; ///< neighbours of points, ascending
   EdgeTable table;
-  std::vector<char> feature;                   ///< a flag an edge of `table`
+  std::vector<char> feature; ///< a flag an edge of `table`
   std::vector<std::array<Id, 3>> edgesOfTriangle;
-  std::vector<std::array<Id, 2>> alongCurve;   ///< neighbours along the curve, -1 for points that are not on one
+  std::vector<std::array<Id, 2>>
+    alongCurve; ///< neighbours along the curve, -1 for points that are not on one
   std::vector<Freedom> freedom;
 };
 

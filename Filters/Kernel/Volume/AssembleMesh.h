@@ -22,7 +22,8 @@ struct AssembleMeshReport
 };
 
 /// Join the parts; points with equal coordinates (bit for bit) become one.
-Result<AssembleMeshReport> AssembleMesh(
-  const std::vector<const VolumeMesh*>& parts, const AssembleMeshOptions& options, VolumeMesh& mesh, Monitor& monitor);
+Result<AssembleMeshReport> AssembleMesh(const std::vector<const VolumeMesh*>& parts,
+                                        const AssembleMeshOptions& options, VolumeMesh& mesh,
+                                        Monitor& monitor);
 
 } // namespace lamina

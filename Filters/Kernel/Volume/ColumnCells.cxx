@@ -18,7 +18,8 @@ struct Corner
   bool moves;
 };
 
-/// Three tets of the wedge on corners sorted by wall node; collapsed ones are left out. `flip` undoes an odd sort.
+/// Three tets of the wedge on corners sorted by wall node; collapsed ones are left out. `flip` undoes an odd
+/// sort.
 int SplitIntoTets(std::array<Corner, 3> c, std::array<ColumnCell, 3>& cells)
 {
   bool flip = false;
@@ -34,7 +35,8 @@ int SplitIntoTets(std::array<Corner, 3> c, std::array<ColumnCell, 3>& cells)
     }
   }
   int count = 0;
-  const auto add = [&](ColumnNode p, ColumnNode q, ColumnNode r, ColumnNode s) {
+  const auto add = [&](ColumnNode p, ColumnNode q, ColumnNode r, ColumnNode s)
+  {
     if (flip)
     {
       std::swap(q, r);
@@ -87,7 +89,7 @@ int OneCell(const std::array<Corner, 3>& c, int moving, ColumnCell& cell)
 } // namespace
 
 int CellsOfTriangle(const Wall& wall, const Columns& columns, Id triangle, int layer, ColumnCells kind,
-  std::array<ColumnCell, 3>& cells)
+                    std::array<ColumnCell, 3>& cells)
 {
   const Triangle& t = wall.triangles[static_cast<std::size_t>(triangle)];
   std::array<Corner, 3> corners;

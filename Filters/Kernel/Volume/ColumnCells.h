@@ -22,10 +22,10 @@ struct ColumnCell
   std::array<ColumnNode, 6> nodes;
 };
 
-/// The cells between layer - 1 and layer on a triangle: a wedge, or what is left of it where columns stopped; with
-/// ColumnCells::Tets split into tets such that neighbours fit (diagonals start at the lower wall node).
+/// The cells between layer - 1 and layer on a triangle: a wedge, or what is left of it where columns stopped;
+/// with ColumnCells::Tets split into tets such that neighbours fit (diagonals start at the lower wall node).
 int CellsOfTriangle(const Wall& wall, const Columns& columns, Id triangle, int layer, ColumnCells kind,
-  std::array<ColumnCell, 3>& cells);
+                    std::array<ColumnCell, 3>& cells);
 
 /// Quality of a cell (Quality.h), not positive if it is invalid.
 double QualityOf(const Wall& wall, const Columns& columns, const ColumnCell& cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Straight columns of layer points on a wall: where every layer's nodes stand, such that all cells between them are
-// valid and no two fronts meet.
+// Straight columns of layer points on a wall: where every layer's nodes stand, such that all cells between
+// them are valid and no two fronts meet.
 #pragma once
 
 #include "../Base/Monitor.h"
@@ -19,12 +19,13 @@ enum class ColumnCells
 struct ColumnOptions
 {
   int layers = 5;
-  double growth = 1;    ///< height of a layer over the one below
-  double share = 0.25;  ///< of the local thickness that all layers together take
+  double growth = 1;   ///< height of a layer over the one below
+  double share = 0.25; ///< of the local thickness that all layers together take
   ColumnCells cells = ColumnCells::Prisms;
 };
 
-/// Layer k (0 the wall, `layers` the front) of node v stands at wall.points[v] + height[v] * fraction[k] * direction[v].
+/// Layer k (0 the wall, `layers` the front) of node v stands at wall.points[v] + height[v] * fraction[k] *
+/// direction[v].
 struct Columns
 {
   int layers = 0;
@@ -38,13 +39,14 @@ struct Columns
   Vec3 Place(const Wall& wall, Id v, int layer) const
   {
     const auto i = static_cast<std::size_t>(v);
-    return wall.points[i] + (this->height[i] * this->fraction[static_cast<std::size_t>(layer)]) * this->direction[i];
+    return wall.points[i] +
+           (this->height[i] * this->fraction[static_cast<std::size_t>(layer)]) * this->direction[i];
   }
 };
 
-/// Grow columns on the whole wall. Heights start at `share` of the thickness, are limited in slope, and shrink where a
-/// cell would be invalid or badly shaped or where fronts come too near to each other, until all is sound; where even
-/// thin layers are not, columns stop. The wall must be free of intersections.
+/// Grow columns on the whole wall. Heights start at `share` of the thickness, are limited in slope, and
+/// shrink where a cell would be invalid or badly shaped or where fronts come too near to each other, until
+/// all is sound; where even thin layers are not, columns stop. The wall must be free of intersections.
 Result<Columns> GrowColumns(const Wall& wall, const ColumnOptions& options, Monitor& monitor);
 
 } // namespace lamina

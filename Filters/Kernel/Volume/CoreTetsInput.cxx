@@ -55,23 +55,13 @@ std::optional<Error> CheckCoreSurface(const TriangleComplex& surface, const std:
   {
     return InvalidInput("an interior point is not a finite position");
   }
-  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-  if (pairs.empty() || monitor.Cancelled())
+  std::optional<Error> error =
+    CheckEmbedded(surface.points, surface.triangles, "the surface", monitor, &report.offendingTriangles);
+  if (error && error->kind == Failure::InvalidInput)
   {
-    return std::nullopt;
+    error->message += ": smooth it again with less drift, or thin the layers there";
   }
-  for (const auto& pair : pairs)
-  {
-    report.offendingTriangles.insert(report.offendingTriangles.end(), pair.begin(), pair.end());
-  }
-  auto& offending = report.offendingTriangles;
-  std::sort(offending.begin(), offending.end());
-  offending.erase(std::unique(offending.begin(), offending.end()), offending.end());
-  const auto places = CentresOf(surface, offending);
-  return InvalidInput("the surface intersects itself (" + std::to_string(pairs.size()) +
-                        (pairs.size() == 1 ? " pair" : " pairs") + " of triangles)" + DescribePlaces(places) +
-                        ": smooth it again with less drift, or thin the layers there",
-                      places);
+  return error;
 }
 
 } // namespace lamina

@@ -45,7 +45,8 @@ Id LayerMesh::WallPoint(Id surfacePoint)
   return id;
 }
 
-std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnCells kind, LayersReport& report)
+std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnCells kind,
+                               LayersReport& report)
 {
   // Node ids: layer by layer, a stopped column repeats its wall node.
   const std::size_t count = wall.points.size();
@@ -92,7 +93,8 @@ std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnC
   return ids[U(columns.layers)];
 }
 
-void LayerMesh::Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface, LayersReport& report)
+void LayerMesh::Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface,
+                     LayersReport& report)
 {
   for (std::size_t v = 0; v < wall.points.size(); ++v)
   {
@@ -141,7 +143,8 @@ TriangleComplex FrontOf(const Wall& wall, const Columns& columns)
   return front;
 }
 
-Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const std::vector<int>& asked, const char* what)
+Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const std::vector<int>& asked,
+                                        const char* what)
 {
   const std::vector<int> present = MaterialsOf(surface);
   std::vector<int> materials = asked;
@@ -157,7 +160,7 @@ Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const st
         known += (known.empty() ? "" : ", ") + std::to_string(p);
       }
       return InvalidOption("material " + std::to_string(material) + " is named as " + what +
-        ", but the surface has only " + (known.empty() ? "none" : known));
+                           ", but the surface has only " + (known.empty() ? "none" : known));
     }
   }
   return materials;
@@ -173,19 +176,12 @@ std::optional<Error> CheckLayerSurface(const TriangleComplex& surface, Monitor& 
   {
     return InvalidInput("there is no MaterialFeatureSize on the points: run Feature Size first");
   }
-  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-  if (pairs.empty())
+  std::optional<Error> error = CheckEmbedded(surface.points, surface.triangles, "the surface", monitor);
+  if (error && error->kind == Failure::InvalidInput)
   {
-    return std::nullopt;
+    error->message += ": no layers can grow on it";
   }
-  std::vector<Vec3> places;
-  for (const auto& pair : pairs)
-  {
-    places.push_back(surface.points[U(surface.triangles[U(pair[0])][0])]);
-  }
-  return InvalidInput("the surface intersects itself in " + std::to_string(pairs.size()) + " pairs of triangles" +
-      DescribePlaces(places) + ": no layers can grow on it",
-    places);
+  return error;
 }
 
 } // namespace lamina

@@ -19,7 +19,8 @@ public:
   /// Adds all layers of a wall and returns the mesh id of every front node.
   std::vector<Id> Add(const Wall& wall, const Columns& columns, ColumnCells kind, LayersReport& report);
   /// Tells the surface's triangles how many layers stand on them, and how high.
-  static void Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface, LayersReport& report);
+  static void Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface,
+                   LayersReport& report);
   /// The mesh id of a point of the surface.
   Id WallPoint(Id surfacePoint);
   Id AddPoint(const Vec3& place, int layerIndex);
@@ -34,7 +35,8 @@ private:
 TriangleComplex FrontOf(const Wall& wall, const Columns& columns);
 
 /// The materials asked for, each checked to occur in the surface.
-Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const std::vector<int>& asked, const char* what);
+Result<std::vector<int>> CheckMaterials(const TriangleComplex& surface, const std::vector<int>& asked,
+                                        const char* what);
 
 /// Arrays, closedness and thickness of a surface that layers are to grow on.
 std::optional<Error> CheckLayerSurface(const TriangleComplex& surface, Monitor& monitor);

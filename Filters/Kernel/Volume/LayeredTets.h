@@ -25,9 +25,9 @@ struct LayersReport
   Id tets = 0;
   Id wedges = 0;
   Id pyramids = 0;
-  Id columns = 0;          ///< wall nodes that carry layers
-  Id thinnedColumns = 0;   ///< columns thinner than asked
-  Id stoppedColumns = 0;   ///< columns without layers
+  Id columns = 0;        ///< wall nodes that carry layers
+  Id thinnedColumns = 0; ///< columns thinner than asked
+  Id stoppedColumns = 0; ///< columns without layers
   std::vector<Vec3> stoppedPlaces;
   double leastQuality = 0;
 };
@@ -41,6 +41,6 @@ struct LayersOnSurface
 
 /// The surface must carry thickness (see FeatureSize.h).
 Result<LayersReport> MeshLayeredTets(const TriangleComplex& surface, const LayeredTetsOptions& options,
-  VolumeMesh& mesh, LayersOnSurface& onSurface, Monitor& monitor);
+                                     VolumeMesh& mesh, LayersOnSurface& onSurface, Monitor& monitor);
 
 } // namespace lamina

@@ -16,7 +16,8 @@ std::optional<Error> CheckOptions(const PrismLayersOptions& options)
 {
   if (options.layers < 1)
   {
-    return InvalidOption("the number of prism layers must be 1 or more, not " + std::to_string(options.layers));
+    return InvalidOption("the number of prism layers must be 1 or more, not " +
+                         std::to_string(options.layers));
   }
   if (!(options.growth >= 1 && options.growth <= 3))
   {
@@ -25,7 +26,7 @@ std::optional<Error> CheckOptions(const PrismLayersOptions& options)
   if (!(options.thickness > 0 && options.thickness <= 0.45))
   {
     return InvalidOption("the thickness of all layers must lie in (0, 0.45] of the feature size, not " +
-      std::to_string(options.thickness));
+                         std::to_string(options.thickness));
   }
   return std::nullopt;
 }
@@ -44,7 +45,8 @@ void Append(const TriangleComplex& part, TriangleComplex& whole)
 } // namespace
 
 Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const PrismLayersOptions& options,
-  VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface, Monitor& monitor)
+                                     VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface,
+                                     Monitor& monitor)
 {
   if (const auto error = CheckOptions(options))
   {
@@ -92,7 +94,8 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
         const int n = CellsOfTriangle(wall, *columns, t, k, ColumnCells::Prisms, cells);
         for (int i = 0; i < n; ++i)
         {
-          report.leastQuality = std::min(report.leastQuality, QualityOf(wall, *columns, cells[static_cast<std::size_t>(i)]));
+          report.leastQuality =
+            std::min(report.leastQuality, QualityOf(wall, *columns, cells[static_cast<std::size_t>(i)]));
         }
       }
     }

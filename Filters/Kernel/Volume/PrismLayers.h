@@ -19,9 +19,11 @@ struct PrismLayersOptions
   double thickness = 0.25;    ///< of all layers together, as a share of the local feature size, in (0, 0.45]
 };
 
-/// `mesh` gets the prisms (pyramids and tets where columns had to stop: at openings and at nodes that no direction
-/// sees); `front` the closed surfaces that bound what is left, materials (fluid, 0), with targetEdgeLength of its edges.
+/// `mesh` gets the prisms (pyramids and tets where columns had to stop: at openings and at nodes that no
+/// direction sees); `front` the closed surfaces that bound what is left, materials (fluid, 0), with
+/// targetEdgeLength of its edges.
 Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const PrismLayersOptions& options,
-  VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface, Monitor& monitor);
+                                     VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface,
+                                     Monitor& monitor);
 
 } // namespace lamina

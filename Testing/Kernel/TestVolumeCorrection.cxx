@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Images.h"
+#include "Mesh/VolumeCorrection.h"
+#include "Shapes.h"
+#include "Surface/ExtractInterfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace lamina;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Moves the points of sheets (all, without a classification) by up to `by` along every axis.
+void Perturb(TriangleComplex& surface, double by, unsigned seed = 1)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-by, by);
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    if (surface.junctionKind.empty() || surface.junctionKind[p] == JunctionSheet)
+    {
+      surface.points[p] += { shift(random), shift(random), shift(random) };
+    }
+  }
+}
+
+void ExpectRestored(TriangleComplex& surface, double by)
+{
+  const SheetGraph graph = MakeSheetGraph(surface);
+  const auto targets = ShellVolumes(surface, graph);
+  Perturb(surface, by);
+  const auto moved = ShellVolumes(surface, graph);
+  EXPECT_NE(moved, targets);
+  EXPECT_LT(RestoreVolumes(surface, graph, targets), 1e-12);
+  const auto back = ShellVolumes(surface, graph);
+  for (std::size_t s = 0; s < targets.size(); ++s)
+  {
+    EXPECT_NEAR(back[s], targets[s], 1e-12 * std::abs(targets[s])) << s;
+  }
+}
+
+TriangleComplex ShellSurface()
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 2, 3, { 2, 0 });
+  shapes::AddSphere(surface, {}, 1, 3, { 1, 2 });
+  return surface;
+}
+
+TriangleComplex SectorsSurface()
+{
+  ThreadMonitor monitor;
+  TriangleComplex surface;
+  EXPECT_TRUE(ExtractInterfaces(images::Sectors(16, 6.3, false), surface, {}, monitor));
+  return surface;
+}
+
+} // namespace
+
+TEST(VolumeCorrection, VolumesAreTheDivergenceTheorems)
+{
+  TriangleComplex box;
+  shapes::AddBox(box, { 1000, 1000, 1000 }, { 1001, 1002, 1003 }, { { 2, 3, 4 } }, { 1, 0 });
+  EXPECT_NEAR(MaterialVolumes(box, { 1 })[0], 6, 1e-12);
+  const auto volumes = MaterialVolumes(ShellSurface(), { 1, 2, 3 });
+  EXPECT_NEAR(volumes[0], 4 * Pi / 3, 0.1);
+  EXPECT_NEAR(volumes[1], 7 * volumes[0], 1e-12 * volumes[1]);
+  EXPECT_EQ(volumes[2], 0);
+}
+
+TEST(VolumeCorrection, ShellsAndSheets)
+{
+  TriangleComplex surface = ShellSurface();
+  SheetGraph graph = MakeSheetGraph(surface);
+  EXPECT_EQ(graph.shellsOfSheet.size(), 2u);
+  EXPECT_EQ(graph.ShellCount(), 3); // the inside of 1, both sides of 2
+  const auto volumes = ShellVolumes(surface, graph);
+  double of2 = 0;
+  for (std::size_t s = 0; s < volumes.size(); ++s)
+  {
+    of2 += graph.materialOfShell[s] == 2 ? volumes[s] : 0;
+  }
+  EXPECT_NEAR(of2, MaterialVolumes(surface, { 2 })[0], 1e-12);
+
+  surface = SectorsSurface();
+  graph = MakeSheetGraph(surface);
+  EXPECT_EQ(graph.ShellCount(), 3);
+  // Between the materials three, round the outside three, and three in each of the two border planes.
+  EXPECT_EQ(graph.shellsOfSheet.size(), 12u);
+}
+
+TEST(VolumeCorrection, SphereComesBack)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 50, -20, 7 }, 3, 4, { 1, 0 });
+  ExpectRestored(surface, 0.05);
+}
+
+TEST(VolumeCorrection, ShellComesBack)
+{
+  TriangleComplex surface = ShellSurface();
+  ExpectRestored(surface, 0.03);
+}
+
+TEST(VolumeCorrection, SectorsComeBackAndJunctionsStay)
+{
+  TriangleComplex surface = SectorsSurface();
+  const TriangleComplex before = surface;
+  ExpectRestored(surface, 0.2);
+  int stayed = 0;
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    if (surface.junctionKind[p] != JunctionSheet)
+    {
+      ++stayed;
+      EXPECT_EQ(surface.points[p], before.points[p]);
+    }
+  }
+  EXPECT_GT(stayed, 100);
+}
+
+TEST(VolumeCorrection, FrozenPointsStay)
+{
+  TriangleComplex surface = ShellSurface();
+  const SheetGraph graph = MakeSheetGraph(surface);
+  const auto targets = ShellVolumes(surface, graph);
+  Perturb(surface, 0.03);
+  std::vector<char> frozen(surface.points.size());
+  for (std::size_t p = 0; p < frozen.size(); ++p)
+  {
+    frozen[p] = surface.points[p].x > 0 ? 1 : 0;
+  }
+  const TriangleComplex before = surface;
+  EXPECT_LT(RestoreVolumes(surface, graph, targets, frozen), 1e-12);
+  for (std::size_t p = 0; p < frozen.size(); ++p)
+  {
+    EXPECT_EQ(surface.points[p] == before.points[p], frozen[p] == 1) << p;
+  }
+}
+
+TEST(VolumeCorrection, WhatCannotMoveIsTold)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 2, { 1, 0 });
+  const SheetGraph graph = MakeSheetGraph(surface);
+  auto targets = ShellVolumes(surface, graph);
+  targets[0] *= 1.25;
+  const auto before = surface.points;
+  const std::vector<char> frozen(surface.points.size(), 1);
+  EXPECT_NEAR(RestoreVolumes(surface, graph, targets, frozen), 0.2, 1e-12);
+  EXPECT_EQ(surface.points, before);
+  EXPECT_LT(RestoreVolumes(surface, graph, targets), 1e-12);
+  EXPECT_NEAR(MaterialVolumes(surface, { 1 })[0], targets[0], 1e-12);
+}
