@@ -34,12 +34,8 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
     const Vec3 area = Cross(b - a, c - a);
-<<<<<<< HEAD
-    if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) || !(TriangleQuality(a, b, c) >= edit.leastQuality))
-=======
-    if (Dot(area, t.normal) < leastTurnCosine * Norm(area) ||
+    if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) ||
         !(TriangleQuality(a, b, c) >= edit.leastQuality))
->>>>>>> volume
     {
       return false;
     }
@@ -64,13 +60,8 @@ bool EditableSurface::IsNearInput(const Edit& edit) const
     for (std::size_t k = 0; k < 3; ++k)
     {
       const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
-<<<<<<< HEAD
-      if (test &&
-        !this->Input.IsNear(t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
-=======
       if (test && !this->Input.IsNear(
-                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3]))))
->>>>>>> volume
+                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
       {
         return false;
       }
