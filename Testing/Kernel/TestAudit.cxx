@@ -91,6 +91,7 @@ Sandwich MakeSandwich()
   }
   // The sides of the wedges are an opening each: plane, and triangulated otherwise than the wedges' quads.
   surface.patches.assign(surface.triangles.size(), 0);
+  surface.patchNames = { "wall", "opening_1", "opening_2", "opening_3", "opening_4" };
   const Vec3 corners[4] = { { 0, 0, 2 }, { 2, 0, 2 }, { 2, 2, 2 }, { 0, 2, 2 } };
   for (int side = 0; side < 4; ++side)
   {

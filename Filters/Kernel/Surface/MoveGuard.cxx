@@ -13,6 +13,7 @@ constexpr double leastTurnCosine =
   0.82;                              ///< between a triangle's normal now and at the phase's start: 35 degrees
 constexpr double wideOpening = -0.5; ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
 constexpr double leastShape = 0.08;  ///< twice the area over the longest edge squared
+constexpr double leastGrowth = 0.05;     ///< of area over the square of the moves
 constexpr double flattestFold =
   -0.7; ///< cosine between neighbours' directions: no dihedral below about 45 degrees
 
@@ -95,7 +96,7 @@ bool MoveGuard::StaysNear(Id p, const Vec3& place) const
          Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
 }
 
-bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
+bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r, double& growth) const
 {
   for (Id t : Row(this->State.star, p))
   {
@@ -106,6 +107,10 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r) const
     const Vec3 area = Cross(b - a, c - a);
     const double size2 = Norm2(area);
     const double along = Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]);
+    if (p == r.a || (tri[0] != r.a && tri[1] != r.a && tri[2] != r.a)) // each triangle once
+    {
+      growth += std::sqrt(size2) - Norm(AreaVector2(this->State.surface.points, tri));
+    }
     const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
     if (along < 0 || along * along < leastTurnCosine * leastTurnCosine * size2 ||
         size2 < leastShape * leastShape * longest2 * longest2)
@@ -153,12 +158,19 @@ bool MoveGuard::KeepsAngles(Id t, const Relaxation& r) const
 
 bool MoveGuard::Allows(const Relaxation& r) const
 {
+  double growth = 0; // of twice the area
   for (Id p : { r.a, r.b })
   {
-    if (p >= 0 && (!this->StaysNear(p, this->Place(p, r)) || !this->KeepsTriangles(p, r)))
+    if (p >= 0 && (!this->StaysNear(p, this->Place(p, r)) || !this->KeepsTriangles(p, r, growth)))
     {
       return false;
     }
+  }
+  // Drawing the points of a bump together and paying for it in height would make a spike of it: area must not grow
+  // by more than the share of a move that is mere tangential smoothing.
+  if (growth > leastGrowth * (Norm2(r.moveA) + Norm2(r.moveB)))
+  {
+    return false;
   }
   for (Id p : { r.a, r.b })
   {

@@ -24,7 +24,7 @@ private:
   bool OpensWide(Id edge) const;
   bool StaysNear(Id p, const Vec3& place) const;
   Vec3 Place(Id p, const Relaxation& r) const;
-  bool KeepsTriangles(Id p, const Relaxation& r) const;
+  bool KeepsTriangles(Id p, const Relaxation& r, double& growth) const;
   bool KeepsAngles(Id t, const Relaxation& r) const;
 
   const SmoothingState& State;
