@@ -52,7 +52,8 @@ TEST(MultimaterialSegmentation, ArraysOfTheContract)
   auto image = Grey();
   auto filter = Filter(image);
   ExpectFine(filter);
-  auto* expected = NestedBoxes()->GetPointData()->GetScalars();
+  auto truth = NestedBoxes();
+  auto* expected = truth->GetPointData()->GetScalars();
   auto* points = Output(filter)->GetPointData();
   auto* ids = vtkIntArray::SafeDownCast(points->GetScalars());
   ASSERT_TRUE(ids);

@@ -300,6 +300,30 @@ TEST(Segment, TheMaskRulesAndItsEdgeIsClosedUnlessOpen)
   EXPECT_EQ(open.At(9, 9, 9), 2);
 }
 
+TEST(Segment, BackgroundAtAnOpenEndSettles)
+{
+  // Specks of background in blood at the mask's edge: tissue would be made of them and thrown out again for ever.
+  GreyImage image = Cube(20, Lumen);
+  Fill(image, { 0, 0, 0 }, { 19, 19, 2 }, Other);
+  LabelImage mask;
+  mask.grid = image.grid;
+  mask.labels.assign(image.values.size(), 1);
+  std::fill(mask.labels.begin() + 400 * 12, mask.labels.end(), 0);
+  Fill(image, { 9, 9, 11 }, { 9, 9, 11 }, Other);
+  Fill(image, { 5, 5, 11 }, { 6, 5, 11 }, Muscle);
+  SegmentOptions options;
+  options.mask = &mask;
+  options.openAtMaskBorder = true;
+  options.openAtImageBorder = true;
+  const Outcome outcome = Segmented(image, options);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_LT(outcome.report.passes, 5);
+  EXPECT_EQ(outcome.At(9, 9, 11), 2);
+  EXPECT_EQ(outcome.At(5, 5, 11), 2);
+  EXPECT_EQ(outcome.At(9, 9, 2), 1);
+  EXPECT_EQ(outcome.report.materials[1].components, 1);
+}
+
 TEST(Segment, IslandsGoToTheirNeighboursAndCavitiesAreFilled)
 {
   GreyImage image = Heart();

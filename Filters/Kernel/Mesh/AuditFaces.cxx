@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Adjacency.h"
 #include "AuditFaces.h"
 
 #include "CellFaces.h"
@@ -118,7 +119,7 @@ private:
     {
       this->OnSurface[Index(g)] = 1;
     }
-    if (this->Surface->Patch(t) != 0 || (!hasFirst && !hasSecond))
+    if (IsOpening(*this->Surface, this->Surface->Patch(t)) || (!hasFirst && !hasSecond))
     {
       return; // openings may be triangulated anew
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Adjacency.h"
 #include "Openings.h"
 
 #include "../Base/Result.h"
@@ -27,7 +28,7 @@ Openings::Openings(const TriangleComplex* surface, double scale)
   for (std::size_t t = 0; surface != nullptr && t < surface->triangles.size(); ++t)
   {
     const int patch = surface->Patch(static_cast<Id>(t));
-    if (patch == 0)
+    if (!IsOpening(*surface, patch))
     {
       continue;
     }

@@ -59,11 +59,11 @@ struct Contacts
   {
   }
   Id& At(Id component, int material) { return this->Faces[component * this->Materials + material]; }
-  /// The material with most faces, the lowest id where they are equal; -1 without a face.
-  int Majority(Id component)
+  /// The material with most faces, from id `first` on, the lowest id where they are equal; -1 without a face.
+  int Majority(Id component, int first)
   {
     int best = -1;
-    for (int m = 0; m < this->Materials; ++m)
+    for (int m = first; m < this->Materials; ++m)
     {
       if (this->At(component, m) > 0 && (best < 0 || this->At(component, m) > this->At(component, best)))
       {
@@ -127,8 +127,9 @@ Id NumberSmall(const Work& work, const IslandLimits& limits, const ComponentMap&
 
 enum Touch : unsigned char
 {
-  TouchesOutside = 1,   ///< lies at the mask's edge
-  TouchesBackground = 2 ///< has a face in common with background of the image itself
+  TouchesOutside = 1,    ///< lies at the mask's edge
+  TouchesBackground = 2, ///< has a face in common with background of the image itself
+  TouchesBorder = 4      ///< lies at the image's border
 };
 
 /// Count the faces between small components and those that stay; `touches` collects Touch flags of the small
@@ -163,6 +164,7 @@ Contacts CountContacts(const Work& work, const ComponentMap& map, const std::vec
           if (up ? place[axis] + 1 >= size[axis] : place[axis] == 0)
           {
             contacts.At(id, Background) += 1; // outside the image is background
+            touches[id] |= TouchesBorder;
             continue;
           }
           const Id n = voxel + (up ? step[axis] : -step[axis]);
@@ -181,6 +183,14 @@ Contacts CountContacts(const Work& work, const ComponentMap& map, const std::vec
     }
   }
   return contacts;
+}
+
+/// A piece of tissue between kept blood and background is no island but a wall: without it the next pass would build
+/// it again. So is one at a border that is closed.
+bool IsWall(const SegmentOptions& options, unsigned char touches)
+{
+  return (touches & TouchesBackground) || ((touches & TouchesOutside) && !options.openAtMaskBorder) ||
+    ((touches & TouchesBorder) && !options.openAtImageBorder);
 }
 
 /// The component of each voxel.
@@ -278,14 +288,18 @@ Id RemoveIslands(Work& work, const IslandLimits& limits, Monitor& monitor)
   for (std::size_t c = 0; c < map.components.size(); ++c)
   {
     const Id id = small[c];
+    if (id < 0)
+    {
+      continue;
+    }
     const Component& component = map.components[c];
     const bool pocket = component.label == Background;
-    // A thin wall that keeps kept blood apart from background is no island: without it the next pass rebuilds
-    // it.
-    const bool wall = id >= 0 && component.label == Tissue && work.HasBlood() && contacts.At(id, Blood) > 0 &&
-                      (touches[id] & TouchesBackground);
-    const bool stays = id < 0 || wall || (pocket && (touches[id] & TouchesOutside));
-    const int material = stays ? -1 : contacts.Majority(id);
+    const bool atBlood = component.label == Tissue && work.HasBlood() && contacts.At(id, Blood) > 0;
+    // As at the image's border, only specks of background are filled at the mask's edge.
+    const bool outside = pocket && (touches[id] & TouchesOutside) && component.voxels >= work.options.minimumVoxels;
+    const bool stays = outside || (atBlood && IsWall(work.options, touches[id]));
+    // Tissue at an open end is given to no background: the next pass would make it tissue again.
+    const int material = stays ? -1 : contacts.Majority(id, atBlood ? Tissue : Background);
     if (material >= 0 && material != component.label)
     {
       target[c] = material;

@@ -34,7 +34,7 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
     const Vec3 area = Cross(b - a, c - a);
-    if (Dot(area, t.normal) < leastTurnCosine * Norm(area) ||
+    if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) ||
         !(TriangleQuality(a, b, c) >= edit.leastQuality))
     {
       return false;
@@ -47,12 +47,13 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
 /// edge of one triangle, and the edges opposite to it are old.
 bool EditableSurface::IsNearInput(const Edit& edit) const
 {
+  const double least = this->Mending ? 0.5 * this->Input.MeanEdge() : 0;
   for (const Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
-    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c)))
+    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c), least))
     {
       return false;
     }
@@ -60,7 +61,7 @@ bool EditableSurface::IsNearInput(const Edit& edit) const
     {
       const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
       if (test && !this->Input.IsNear(
-                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3]))))
+                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
       {
         return false;
       }
@@ -197,12 +198,91 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
     // the old value is only approximate for a moved point, which errs on the strict side.)
     const double after = this->Visibility(p, &edit);
     allVisible = allVisible && after >= leastVisibility;
+    if (this->Mending)
+    {
+      if (after < this->MendedSight)
+      {
+        return false;
+      }
+      continue;
+    }
     if (after < leastVisibility && after < this->Visibility(p, nullptr))
     {
       return false;
     }
   }
   return true;
+}
+
+bool EditableSurface::Uncover(Id p, double goal)
+{
+  const double before = this->Star(p).empty() ? 1 : this->Visibility(p);
+  if (before >= goal)
+  {
+    return false;
+  }
+  this->Mending = true;
+  this->MendedSight = std::min(goal, before + 0.02);
+  const bool done = this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p);
+  this->Mending = false;
+  return done;
+}
+
+bool EditableSurface::UncoverByMove(Id p)
+{
+  if (this->Classes[static_cast<std::size_t>(p)] != OnSheet)
+  {
+    return false;
+  }
+  Vec3 mean;
+  double worst = 1;
+  for (Id t : this->Star(p))
+  {
+    worst = std::min(worst, this->Quality(t));
+    for (Id q : this->Corners(t))
+    {
+      mean += q == p ? Vec3{} : this->Point(q);
+    }
+  }
+  mean *= 0.5 / static_cast<double>(this->Star(p).size());
+  for (double step : { 0.5, 1.0, 0.25 })
+  {
+    if (this->TryMove(p, this->Point(p) + step * (mean - this->Point(p)), std::min(0.3, worst)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool EditableSurface::UncoverByMerge(Id p)
+{
+  std::vector<Id> ring;
+  for (Id t : this->Star(p))
+  {
+    const Triangle& c = this->Corners(t);
+    ring.insert(ring.end(), c.begin(), c.end());
+  }
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return q != p && this->Merge(p, q, true); });
+}
+
+bool EditableSurface::UncoverBySwap(Id p)
+{
+  const std::vector<Id> star = this->Star(p);
+  for (Id t : star)
+  {
+    const Triangle c = this->Corners(t);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (this->Swap(c[k], c[(k + 1) % 3]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 } // namespace lamina

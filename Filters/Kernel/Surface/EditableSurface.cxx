@@ -366,7 +366,7 @@ bool EditableSurface::Swap(Id a, Id b)
   const int sheet = this->Sheets[U(shared[0])];
   edit.added.push_back({ { a, d, c }, sheet, normal });
   edit.added.push_back({ { d, b, c }, sheet, normal });
-  edit.leastQuality = worst * 1.01;
+  edit.leastQuality = this->Mending ? std::min(0.3, worst) : worst * 1.01;
   const double q = std::min(TriangleQuality(this->Point(a), this->Point(d), this->Point(c)),
     TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
   if (q < edit.leastQuality || !this->IsSound(edit))

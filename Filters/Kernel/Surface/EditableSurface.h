@@ -45,6 +45,12 @@ public:
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
 
+  /// Where no direction sees all faces of p well (cosine below `goal`), move, merge or swap so that one does. Here
+  /// faces may turn and the surface may leave the input by up to half a mean edge.
+  bool Uncover(Id p, double goal);
+  /// How well the best direction into the worst material at p sees the faces there: a cosine.
+  double Visibility(Id p) const { return this->Visibility(p, nullptr); }
+
   /// The result: points and triangles compacted, fields interpolated from the input.
   void Write(TriangleComplex& surface) const;
   /// The sheets of the triangles as Write() puts them out, with the shells of the input.
@@ -81,6 +87,10 @@ private:
   bool TryMove(Id p, const Vec3& place, double leastQuality);
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
 
+  bool UncoverByMove(Id p);
+  bool UncoverByMerge(Id p);
+  bool UncoverBySwap(Id p);
+
   // Is the edit sound, with the coordinates that points have now?
   bool IsSound(const Edit& edit) const;
   bool HasGoodShapes(const Edit& edit) const;
@@ -106,6 +116,8 @@ private:
   std::vector<int> Sheets;     ///< sheet of a triangle, in the input's SheetGraph
   std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
+  bool Mending = false;  ///< within Uncover
+  double MendedSight = 0; ///< which every node must have after an edit within Uncover
 };
 
 } // namespace lamina

@@ -30,9 +30,9 @@ TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, dou
   return this->Trees[static_cast<std::size_t>(sheet)]->ClosestPoint(p, limit * limit);
 }
 
-bool InputSurface::IsNear(int sheet, const Vec3& p) const
+bool InputSurface::IsNear(int sheet, const Vec3& p, double least) const
 {
-  const double widest = this->Tolerance > 0 ? this->Tolerance : 0.5 * this->Mean;
+  const double widest = std::max(least, this->Tolerance > 0 ? this->Tolerance : 0.5 * this->Mean);
   const TriangleTree::Closest place = this->ClosestOnSheet(sheet, p, widest);
   if (place.triangle < 0)
   {
@@ -42,8 +42,8 @@ bool InputSurface::IsNear(int sheet, const Vec3& p) const
   {
     return true;
   }
-  // A quarter of the smallest target is always allowed, else nothing could ever move in the narrowest places.
-  const double local = std::max(0.1 * this->Interpolate(this->Complex.featureSize, place), 0.1 * this->Mean);
+  // A tenth of a mean edge is always allowed, else nothing could ever move in the narrowest places.
+  const double local = std::max({ least, 0.1 * this->Interpolate(this->Complex.featureSize, place), 0.1 * this->Mean });
   return place.distance2 <= local * local;
 }
 

@@ -23,8 +23,8 @@ public:
   double MeanEdge() const { return this->Mean; }
   /// The closest point of a sheet within `limit`; triangle -1 if there is none.
   TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
-  /// True if p lies within the tolerance of the sheet.
-  bool IsNear(int sheet, const Vec3& p) const;
+  /// True if p lies within the tolerance of the sheet, or within `least` if that is more.
+  bool IsNear(int sheet, const Vec3& p, double least = 0) const;
   double TargetAt(const TriangleTree::Closest& place) const
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);

@@ -45,6 +45,7 @@ public:
   }
   bool Iterate(RefineSurfaceReport& report);
   void MendShapes(RefineSurfaceReport& report);
+  void UncoverNodes();
 
 private:
   template <typename Visit>
@@ -247,6 +248,37 @@ bool Refinement::Iterate(RefineSurfaceReport& report)
   this->SwapAll(report);
   this->RelaxAll();
   return !this->Watch.Cancelled();
+}
+
+/// Nodes whose faces no direction sees well: nothing good can grow there.
+void Refinement::UncoverNodes()
+{
+  constexpr double goal = 0.5;
+  for (int round = 0; round < 8; ++round)
+  {
+    std::vector<std::pair<double, Id>> hidden;
+    for (Id p = 0; p < this->Surface.PointCount(); ++p)
+    {
+      const double sight = this->Surface.Star(p).empty() ? 1 : this->Surface.Visibility(p);
+      if (sight < goal)
+      {
+        hidden.push_back({ sight, p });
+      }
+    }
+    std::sort(hidden.begin(), hidden.end());
+    Id mended = 0;
+    for (const auto& node : hidden)
+    {
+      for (int again = 0; again < 4 && !this->Stopped() && this->Surface.Uncover(node.second, goal); ++again)
+      {
+        ++mended;
+      }
+    }
+    if (mended == 0)
+    {
+      return;
+    }
+  }
 }
 
 /// Bad triangles that the rounds left: merge away their shortest edge or move a corner.
@@ -470,6 +502,8 @@ Result<RefineSurfaceReport> RefineSurface(
       return Cancelled();
     }
   }
+  refinement.MendShapes(report);
+  refinement.UncoverNodes();
   refinement.MendShapes(report);
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;

@@ -144,6 +144,7 @@ public:
   bool Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor);
 
 private:
+  bool RelaxOne(const Edge& edge);
   Id Sweep(Monitor& monitor);
   Id RollBack(Monitor& monitor);
 
@@ -153,41 +154,54 @@ private:
   double Unit;
   bool Careful;
   std::vector<std::vector<Edge>> Classes;
+  std::vector<std::vector<char>> Stuck; ///< edges of Classes that wait for the next phase
 };
+
+/// Relaxes one edge at full weight or, where that is refused, at less. Returns whether it need not be asked again in
+/// this phase: its move is refused at any weight.
+bool Smoother::RelaxOne(const Edge& edge)
+{
+  double weight = this->Options.relaxation;
+  for (int attempt = 0; attempt <= halvings; ++attempt, weight /= 2)
+  {
+    Relaxation r;
+    if (!RelaxEdge(this->State, edge.a, edge.b, weight, r))
+    {
+      return true;
+    }
+    const double negligible = 1e-4 * this->Unit;
+    if (Norm2(r.moveA) + Norm2(r.moveB) < negligible * negligible)
+    {
+      return false;
+    }
+    if (this->Guard.Allows(r))
+    {
+      this->State.surface.points[static_cast<std::size_t>(r.a)] += r.moveA;
+      if (r.b >= 0)
+      {
+        this->State.surface.points[static_cast<std::size_t>(r.b)] += r.moveB;
+      }
+      return false;
+    }
+  }
+  return true;
+}
 
 Id Smoother::Sweep(Monitor& monitor)
 {
-  std::atomic<Id> refused{ 0 };
-  for (const std::vector<Edge>& edges : this->Classes)
+  Id refused = 0;
+  for (std::size_t c = 0; c < this->Classes.size(); ++c)
   {
-    monitor.For(static_cast<Id>(edges.size()), 256, [&](Id begin, Id end) {
-      Id refusedHere = 0;
+    const std::vector<Edge>& edges = this->Classes[c];
+    std::vector<char>& stuck = this->Stuck[c];
+    monitor.For(static_cast<Id>(edges.size()), 512, [&](Id begin, Id end) {
       for (Id i = begin; i < end; ++i)
       {
-        const Edge& edge = edges[static_cast<std::size_t>(i)];
-        double weight = this->Options.relaxation;
-        bool moved = false;
-        for (int attempt = 0; attempt <= halvings && !moved; ++attempt, weight /= 2)
-        {
-          Relaxation r;
-          if (!RelaxEdge(this->State, edge.a, edge.b, weight, r))
-          {
-            break;
-          }
-          if (this->Guard.Allows(r))
-          {
-            this->State.surface.points[static_cast<std::size_t>(r.a)] += r.moveA;
-            if (r.b >= 0)
-            {
-              this->State.surface.points[static_cast<std::size_t>(r.b)] += r.moveB;
-            }
-            moved = true;
-          }
-        }
-        refusedHere += moved ? 0 : 1;
+        char& idle = stuck[static_cast<std::size_t>(i)];
+        idle = idle || this->RelaxOne(edges[static_cast<std::size_t>(i)]) ? 1 : 0;
       }
-      refused += refusedHere;
     });
+    refused += std::count(stuck.begin(), stuck.end(), 1);
   }
   return refused;
 }
@@ -248,6 +262,11 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
     r *= 0.45;
   }
   this->Guard.StartPhase(std::move(radii));
+  this->Stuck.clear();
+  for (const std::vector<Edge>& edges : this->Classes)
+  {
+    this->Stuck.emplace_back(edges.size(), 0);
+  }
   const SheetGraph graph = MakeSheetGraph(surface);
   const std::vector<double> targets = ShellVolumes(surface, graph);
   for (int i = 0; i < sweeps; ++i)

@@ -19,7 +19,7 @@ struct TetGenTask
   std::vector<Vec3> inserted; ///< interior points
   std::vector<Vec3> holes;    ///< a point in each part that is not to be meshed
   std::string
-    switches; ///< without -p, -Q, -M, -J, which are always set, and -i, -m, which follow from the data
+    switches; ///< without -p, -Q, -M, -J, which are always set, and -m, which follows from the data
 };
 
 struct TetGenAnswer
