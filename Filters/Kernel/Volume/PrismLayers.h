@@ -20,8 +20,7 @@ struct PrismLayersOptions
 };
 
 /// `mesh` gets the prisms (pyramids and tets where columns had to stop: at openings and at nodes that no
-/// direction sees); `front` the closed surfaces that bound what is left, materials (fluid, 0), with
-/// targetEdgeLength of its edges.
+/// direction sees); `front` the closed surfaces that bound what is left, materials (fluid, 0).
 Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const PrismLayersOptions& options,
                                      VolumeMesh& mesh, TriangleComplex& front, LayersOnSurface& onSurface,
                                      Monitor& monitor);

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/Quality.h"
+#include "Mesh/Adjacency.h"
+#include "Mesh/CellFaces.h"
+#include "Mesh/Closedness.h"
+#include "Mesh/VolumeCorrection.h"
+#include "Shapes.h"
+#include "Sizing/FeatureSize.h"
+#include "Volume/PrismLayers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace lamina;
+
+namespace
+{
+
+void Size(TriangleComplex& surface)
+{
+  ThreadMonitor monitor(2);
+  FeatureSizeOptions options;
+  options.minimum = 1e-3;
+  ASSERT_TRUE(ComputeFeatureSize(surface, options, monitor));
+}
+
+struct Layers
+{
+  VolumeMesh mesh;
+  TriangleComplex front;
+  LayersOnSurface onSurface;
+  LayersReport report;
+};
+
+Layers Grow(const TriangleComplex& surface, const PrismLayersOptions& options, int threads = 2)
+{
+  ThreadMonitor monitor(threads);
+  Layers layers;
+  const auto report = GrowPrismLayers(surface, options, layers.mesh, layers.front, layers.onSurface, monitor);
+  EXPECT_TRUE(report) << (report ? "" : report.GetError().message);
+  layers.report = report ? *report : LayersReport{};
+  return layers;
+}
+
+double CellVolume(const VolumeMesh& mesh, Id cell)
+{
+  const auto at = [&](int i) { return mesh.points[static_cast<std::size_t>(mesh.Cell(cell)[i])]; };
+  switch (mesh.types[static_cast<std::size_t>(cell)])
+  {
+    case CellType::Wedge:
+      EXPECT_TRUE(WedgeIsValid({ { at(0), at(1), at(2), at(3), at(4), at(5) } })) << cell;
+      return WedgeVolume({ { at(0), at(1), at(2), at(3), at(4), at(5) } });
+    case CellType::Pyramid:
+      EXPECT_TRUE(PyramidIsValid({ { at(0), at(1), at(2), at(3), at(4) } })) << cell;
+      return PyramidVolume({ { at(0), at(1), at(2), at(3), at(4) } });
+    default:
+      return TetVolume(at(0), at(1), at(2), at(3));
+  }
+}
+
+/// Cells are positive, fill what lies between wall and front, and each wall triangle that carries layers is a
+/// face of one cell on each side that is in `grown`; the front closes.
+void ExpectSound(const TriangleComplex& surface, const Layers& layers, int material,
+                 const std::vector<int>& grown)
+{
+  ThreadMonitor monitor;
+  double sum = 0;
+  for (Id c = 0; c < layers.mesh.CellCount(); ++c)
+  {
+    const double volume = CellVolume(layers.mesh, c);
+    EXPECT_GT(volume, 0);
+    sum += layers.mesh.materials[static_cast<std::size_t>(c)] == material ? volume : 0;
+  }
+  const auto error = CheckClosed(layers.front, true, monitor);
+  EXPECT_FALSE(error) << error->message;
+  const double wall = MaterialVolumes(surface, { material })[0];
+  EXPECT_NEAR(sum + MaterialVolumes(layers.front, { material })[0], wall, 1e-9 * wall);
+
+  std::vector<Id> idOf(surface.points.size(), -1);
+  for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
+  {
+    const Id s = layers.mesh.interfaceNodeIds[p];
+    if (s >= 0)
+    {
+      EXPECT_EQ(layers.mesh.points[p], surface.points[static_cast<std::size_t>(s)]);
+      EXPECT_EQ(idOf[static_cast<std::size_t>(s)], -1) << "made twice";
+      idOf[static_cast<std::size_t>(s)] = static_cast<Id>(p);
+    }
+  }
+  const CellFaces faces = FindCellFaces(layers.mesh, monitor);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (SideOf(surface.materials[t], material) == 0 || layers.onSurface.achieved[t] <= 0)
+    {
+      continue;
+    }
+    Triangle corners = surface.triangles[t];
+    for (Id& p : corners)
+    {
+      p = idOf[static_cast<std::size_t>(p)];
+    }
+    const Id group = faces.Find(corners);
+    ASSERT_GE(group, 0) << t;
+    const auto g = static_cast<std::size_t>(group);
+    const auto sides =
+      std::count_if(grown.begin(), grown.end(), [&](int m) { return SideOf(surface.materials[t], m) != 0; });
+    EXPECT_EQ(faces.start[g + 1] - faces.start[g], static_cast<std::size_t>(sides)) << t;
+  }
+}
+
+void ExpectError(const TriangleComplex& surface, const PrismLayersOptions& options, Failure kind,
+                 const char* word)
+{
+  ThreadMonitor monitor;
+  Layers layers;
+  const auto result = GrowPrismLayers(surface, options, layers.mesh, layers.front, layers.onSurface, monitor);
+  ASSERT_FALSE(result) << word;
+  EXPECT_EQ(result.GetError().kind, kind) << word;
+  EXPECT_NE(result.GetError().message.find(word), std::string::npos) << result.GetError().message;
+}
+
+TriangleComplex SizedSphere(int level)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 5, 5, 5 }, 1, level, { 3, 0 });
+  Size(surface);
+  return surface;
+}
+
+} // namespace
+
+TEST(PrismLayers, SphereIsAllWedges)
+{
+  const TriangleComplex surface = SizedSphere(2);
+  PrismLayersOptions options;
+  options.materials = { 3 };
+  const Layers layers = Grow(surface, options);
+  ExpectSound(surface, layers, 3, { 3 });
+  const Id triangles = static_cast<Id>(surface.triangles.size());
+  EXPECT_EQ(layers.report.wedges, 5 * triangles);
+  EXPECT_EQ(layers.report.pyramids + layers.report.tets, 0);
+  EXPECT_EQ(layers.report.columns, static_cast<Id>(surface.points.size()));
+  EXPECT_EQ(layers.report.thinnedColumns + layers.report.stoppedColumns, 0);
+  EXPECT_GT(layers.report.leastQuality, 0.3);
+  EXPECT_EQ(layers.onSurface.achieved, std::vector<int>(surface.triangles.size(), 5));
+  EXPECT_EQ(std::count(layers.mesh.layers.begin(), layers.mesh.layers.end(), 1), triangles);
+  // Growth 1.2: the front stands a quarter of the diameter inside, the first layer 1 / 7.4416 of that.
+  for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
+  {
+    const double depth = 1 - Norm(layers.mesh.points[p] - Vec3{ 5, 5, 5 });
+    const int k = layers.mesh.layerIndex[p];
+    EXPECT_NEAR(depth, 0.5 * (std::pow(1.2, k) - 1) / 0.2 / 7.4416, 0.03);
+  }
+}
+
+TEST(PrismLayers, BothSidesOfAShell)
+{
+  // Fluid 2 round fluid 1: the inner sphere carries layers on both sides.
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 3, { 1, 2 });
+  shapes::AddSphere(surface, {}, 1.6, 3, { 2, 0 });
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 2, 1, 2 };
+  options.layers = 3;
+  const Layers layers = Grow(surface, options);
+  ExpectSound(surface, layers, 1, { 1, 2 });
+  ExpectSound(surface, layers, 2, { 1, 2 });
+  const auto onFront = MaterialsOf(layers.front);
+  EXPECT_EQ(onFront, (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(layers.report.wedges, 3 * (512 + 2 * 512));
+}
+
+TEST(PrismLayers, OpeningsCarryNoLayers)
+{
+  TriangleComplex surface;
+  shapes::AddBox(surface, { 0, 0, 0 }, { 2, 2, 5 }, { { 6, 6, 15 } }, { 1, 0 });
+  surface.patchNames = { "wall", "opening_1", "opening_2" };
+  for (const Triangle& t : surface.triangles)
+  {
+    const auto z = [&](std::size_t k) { return surface.points[static_cast<std::size_t>(t[k])].z; };
+    const bool plane = z(0) == z(1) && z(1) == z(2);
+    surface.patches.push_back(plane && z(0) == 0 ? 1 : (plane && z(0) == 5 ? 2 : 0));
+  }
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  const Layers layers = Grow(surface, options);
+  ExpectSound(surface, layers, 1, { 1 });
+  EXPECT_GT(layers.report.pyramids, 0);
+  EXPECT_GT(layers.report.wedges, 0);
+  EXPECT_EQ(layers.report.stoppedColumns, 0); // openings are not counted as trouble
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (surface.patches[t] != 0)
+    {
+      EXPECT_EQ(layers.onSurface.achieved[t], 0);
+    }
+  }
+}
+
+TEST(PrismLayers, ThreadsMakeNoDifference)
+{
+  const TriangleComplex surface = SizedSphere(2);
+  PrismLayersOptions options;
+  options.materials = { 3 };
+  const Layers one = Grow(surface, options, 1);
+  const Layers three = Grow(surface, options, 3);
+  EXPECT_EQ(one.mesh.points, three.mesh.points);
+  EXPECT_EQ(one.mesh.connectivity, three.mesh.connectivity);
+  EXPECT_EQ(one.front.points, three.front.points);
+}
+
+TEST(PrismLayers, NothingAskedNothingGrown)
+{
+  const Layers layers = Grow(SizedSphere(1), {});
+  EXPECT_EQ(layers.mesh.CellCount(), 0);
+  EXPECT_TRUE(layers.front.triangles.empty());
+}
+
+TEST(PrismLayers, Errors)
+{
+  const TriangleComplex surface = SizedSphere(1);
+  PrismLayersOptions options;
+  options.materials = { 3, 4 };
+  ExpectError(surface, options, Failure::InvalidOption, "material 4");
+  options.materials = { 3 };
+  options.layers = 0;
+  ExpectError(surface, options, Failure::InvalidOption, "layers");
+  options.layers = 2;
+  for (const double growth : { 0.9, 3.1, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.growth = growth;
+    ExpectError(surface, options, Failure::InvalidOption, "growth");
+  }
+  options.growth = 1;
+  for (const double thickness : { 0.0, 0.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.thickness = thickness;
+    ExpectError(surface, options, Failure::InvalidOption, "thickness");
+  }
+  options.thickness = 0.2;
+  TriangleComplex bad = surface;
+  bad.sizedMaterials.clear();
+  ExpectError(bad, options, Failure::InvalidInput, "MaterialFeatureSize");
+  bad = surface;
+  bad.triangles.pop_back();
+  bad.materials.pop_back();
+  ExpectError(bad, options, Failure::InvalidInput, "");
+}
