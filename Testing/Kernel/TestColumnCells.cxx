@@ -24,7 +24,7 @@ Columns MakeColumns(const Wall& wall, const std::vector<Vec3>& directions, doubl
   columns.fraction = { 0, 0.4, 1 };
   for (std::size_t v = 0; v < wall.points.size(); ++v)
   {
-    const bool stops = (stopped >> v & 1u) != 0;
+    const bool stops = v < 32 && (stopped >> v & 1u) != 0;
     columns.direction.push_back(Normalized(directions[v]));
     columns.height.push_back(stops ? 0 : height * (1 + 0.2 * static_cast<double>(v % 4)));
     columns.wanted.push_back(height);
