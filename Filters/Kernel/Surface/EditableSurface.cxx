@@ -119,8 +119,8 @@ void EditableSurface::Remove(Id id)
   this->Triangles[U(id)] = { -1, -1, -1 };
 }
 
-/// New triangles take the ids of those they replace. The coordinates of points must be those of the time when the
-/// removed triangles were put in.
+/// New triangles take the ids of those they replace. The coordinates of points must be those of the time when
+/// the removed triangles were put in.
 void EditableSurface::Commit(const Edit& edit)
 {
   std::size_t reused = 0;
@@ -175,8 +175,8 @@ Id EditableSurface::Split(Id a, Id b)
   return middle;
 }
 
-/// The link condition: the ends share no neighbour but the far corners of the edge's triangles, and no triangle would
-/// come to lie on another.
+/// The link condition: the ends share no neighbour but the far corners of the edge's triangles, and no
+/// triangle would come to lie on another.
 bool EditableSurface::LinkAllows(Id gone, Id kept, const std::vector<Id>& shared) const
 {
   std::vector<Id> ringOfKept;
@@ -216,14 +216,16 @@ bool EditableSurface::LinkAllows(Id gone, Id kept, const std::vector<Id>& shared
   return true;
 }
 
-/// The middle of the edge, moved along the fan's gradient so that the volume on either side stays what it was.
+/// The middle of the edge, moved along the fan's gradient so that the volume on either side stays what it
+/// was.
 Vec3 EditableSurface::MergedPlace(Id gone, Id kept, const std::vector<Id>& shared) const
 {
   const Vec3 origin = this->Point(kept);
   const Vec3 middle = 0.5 * (this->Point(gone) - origin);
   Vec3 gradient;
   double six = 0;
-  const auto add = [&](Id t, Id p) {
+  const auto add = [&](Id t, Id p)
+  {
     const std::array<Id, 2> o = Others(this->Corners(t), p);
     const Vec3 area = Cross(this->Point(o[0]) - origin, this->Point(o[1]) - origin);
     six += Dot(this->Point(p) - origin, area);
@@ -284,10 +286,12 @@ bool EditableSurface::Merge(Id a, Id b, bool anyLength)
   {
     return true;
   }
-  return ca == cb && (this->MergeInto(a, b, shared, end, anyLength) || this->MergeInto(b, a, shared, this->Point(a), anyLength));
+  return ca == cb && (this->MergeInto(a, b, shared, end, anyLength) ||
+                      this->MergeInto(b, a, shared, this->Point(a), anyLength));
 }
 
-bool EditableSurface::MergeInto(Id gone, Id kept, const std::vector<Id>& shared, const Vec3& place, bool anyLength)
+bool EditableSurface::MergeInto(Id gone, Id kept, const std::vector<Id>& shared, const Vec3& place,
+                                bool anyLength)
 {
   std::vector<Id> touched = this->Star(gone);
   const bool moves = !(place == this->Point(kept));
@@ -368,7 +372,7 @@ bool EditableSurface::Swap(Id a, Id b)
   edit.added.push_back({ { d, b, c }, sheet, normal });
   edit.leastQuality = this->Mending ? std::min(0.3, worst) : worst * 1.01;
   const double q = std::min(TriangleQuality(this->Point(a), this->Point(d), this->Point(c)),
-    TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
+                            TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
   if (q < edit.leastQuality || !this->IsSound(edit))
   {
     return false;

@@ -45,8 +45,8 @@ public:
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
 
-  /// Where no direction sees all faces of p well (cosine below `goal`), move, merge or swap so that one does. Here
-  /// faces may turn and the surface may leave the input by up to half a mean edge.
+  /// Where no direction sees all faces of p well (cosine below `goal`), move, merge or swap so that one does.
+  /// Here faces may turn and the surface may leave the input by up to half a mean edge.
   bool Uncover(Id p, double goal);
   /// How well the best direction into the worst material at p sees the faces there: a cosine.
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
@@ -116,7 +116,7 @@ private:
   std::vector<int> Sheets;     ///< sheet of a triangle, in the input's SheetGraph
   std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
-  bool Mending = false;  ///< within Uncover
+  bool Mending = false;   ///< within Uncover
   double MendedSight = 0; ///< which every node must have after an edit within Uncover
 };
 

@@ -43,7 +43,8 @@ bool InputSurface::IsNear(int sheet, const Vec3& p, double least) const
     return true;
   }
   // A tenth of a mean edge is always allowed, else nothing could ever move in the narrowest places.
-  const double local = std::max({ least, 0.1 * this->Interpolate(this->Complex.featureSize, place), 0.1 * this->Mean });
+  const double local =
+    std::max({ least, 0.1 * this->Interpolate(this->Complex.featureSize, place), 0.1 * this->Mean });
   return place.distance2 <= local * local;
 }
 

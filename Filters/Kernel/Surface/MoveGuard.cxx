@@ -13,7 +13,7 @@ constexpr double leastTurnCosine =
   0.82;                              ///< between a triangle's normal now and at the phase's start: 35 degrees
 constexpr double wideOpening = -0.5; ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
 constexpr double leastShape = 0.08;  ///< twice the area over the longest edge squared
-constexpr double leastGrowth = 0.05;     ///< of area over the square of the moves
+constexpr double leastGrowth = 0.05; ///< of area over the square of the moves
 constexpr double flattestFold =
   -0.7; ///< cosine between neighbours' directions: no dihedral below about 45 degrees
 
@@ -166,8 +166,8 @@ bool MoveGuard::Allows(const Relaxation& r) const
       return false;
     }
   }
-  // Drawing the points of a bump together and paying for it in height would make a spike of it: area must not grow
-  // by more than the share of a move that is mere tangential smoothing.
+  // Drawing the points of a bump together and paying for it in height would make a spike of it: area must not
+  // grow by more than the share of a move that is mere tangential smoothing.
   if (growth > leastGrowth * (Norm2(r.moveA) + Norm2(r.moveB)))
   {
     return false;

@@ -48,7 +48,7 @@ public:
   void UncoverNodes();
 
 private:
-  template <typename Visit>
+  template<typename Visit>
   void ForEdges(Visit&& visit) const;
   void SplitLong(RefineSurfaceReport& report);
   void SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceReport& report);
@@ -63,7 +63,7 @@ private:
   Id Ticks = 0;
 };
 
-template <typename Visit>
+template<typename Visit>
 void Refinement::ForEdges(Visit&& visit) const
 {
   for (Id t = 0; t < this->Surface.TriangleCount(); ++t)
@@ -90,13 +90,15 @@ void Refinement::ForEdges(Visit&& visit) const
 void Refinement::SplitLong(RefineSurfaceReport& report)
 {
   EdgeQueue queue;
-  this->ForEdges([&](Id a, Id b) {
-    const double r = this->Surface.RelativeLength(a, b);
-    if (r > this->Options.splitRatio)
+  this->ForEdges(
+    [&](Id a, Id b)
     {
-      queue.push({ r, a, b });
-    }
-  });
+      const double r = this->Surface.RelativeLength(a, b);
+      if (r > this->Options.splitRatio)
+      {
+        queue.push({ r, a, b });
+      }
+    });
   while (!queue.empty() && !this->Stopped())
   {
     const RankedEdge edge = queue.top();
@@ -108,8 +110,8 @@ void Refinement::SplitLong(RefineSurfaceReport& report)
   }
 }
 
-/// Rivara's longest-edge path: an edge is bisected only when it is the longest of all its triangles; before that the
-/// longer ones are, so that no angle falls below half of what it was.
+/// Rivara's longest-edge path: an edge is bisected only when it is the longest of all its triangles; before
+/// that the longer ones are, so that no angle falls below half of what it was.
 void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceReport& report)
 {
   Id u = a;
@@ -167,7 +169,8 @@ void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceRepor
 void Refinement::MergeShort(RefineSurfaceReport& report)
 {
   EdgeQueue queue; // the highest rank first: the shortest edge
-  const auto offer = [&](Id a, Id b) {
+  const auto offer = [&](Id a, Id b)
+  {
     const double r = this->Surface.RelativeLength(a, b);
     if (r < this->Options.mergeRatio)
     {
@@ -180,8 +183,8 @@ void Refinement::MergeShort(RefineSurfaceReport& report)
     const RankedEdge edge = queue.top();
     queue.pop();
     if (this->Surface.TrianglesAt(edge.a, edge.b).empty() ||
-      this->Surface.RelativeLength(edge.a, edge.b) >= this->Options.mergeRatio ||
-      !this->Surface.Merge(edge.a, edge.b))
+        this->Surface.RelativeLength(edge.a, edge.b) >= this->Options.mergeRatio ||
+        !this->Surface.Merge(edge.a, edge.b))
     {
       continue;
     }
@@ -219,9 +222,9 @@ void Refinement::SwapAll(RefineSurfaceReport& report)
         return;
       }
       swapped += this->Surface.TrianglesAt(edge.first, edge.second).size() == 2 &&
-          this->Surface.Swap(edge.first, edge.second)
-        ? 1
-        : 0;
+                     this->Surface.Swap(edge.first, edge.second)
+                   ? 1
+                   : 0;
     }
     report.swaps += swapped;
     if (swapped * 200 < static_cast<Id>(edges.size()))
@@ -310,14 +313,15 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
       std::size_t shortest = 0;
       for (std::size_t k = 1; k < 3; ++k)
       {
-        if (this->Surface.Length(c[k], c[(k + 1) % 3]) < this->Surface.Length(c[shortest], c[(shortest + 1) % 3]))
+        if (this->Surface.Length(c[k], c[(k + 1) % 3]) <
+            this->Surface.Length(c[shortest], c[(shortest + 1) % 3]))
         {
           shortest = k;
         }
       }
       const bool merged = this->Surface.Merge(c[shortest], c[(shortest + 1) % 3], true) ||
-        this->Surface.Merge(c[(shortest + 1) % 3], c[(shortest + 2) % 3], true) ||
-        this->Surface.Merge(c[(shortest + 2) % 3], c[shortest], true);
+                          this->Surface.Merge(c[(shortest + 1) % 3], c[(shortest + 2) % 3], true) ||
+                          this->Surface.Merge(c[(shortest + 2) % 3], c[shortest], true);
       report.merges += merged ? 1 : 0;
     }
     this->SwapAll(report);
@@ -334,11 +338,13 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
   }
 }
 
-Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSurfaceOptions& options, Monitor& monitor)
+Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSurfaceOptions& options,
+                                  Monitor& monitor)
 {
   if (options.iterations < 1)
   {
-    return InvalidOption("the number of iterations must be 1 or more, not " + std::to_string(options.iterations));
+    return InvalidOption("the number of iterations must be 1 or more, not " +
+                         std::to_string(options.iterations));
   }
   if (!(options.splitRatio > 1) || !(options.mergeRatio > 0) || !(options.mergeRatio < 1))
   {
@@ -354,39 +360,24 @@ Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSu
   }
   if (surface.targetEdgeLength.size() != surface.points.size())
   {
-    return InvalidInput("there is no target edge length on the points: run Feature Size first, or give an array TargetEdgeLength");
+    return InvalidInput("there is no target edge length on the points: run Feature Size first, or give an "
+                        "array TargetEdgeLength");
   }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
     if (!(surface.targetEdgeLength[p] > 0) || !std::isfinite(surface.targetEdgeLength[p]))
     {
       return InvalidInput("the target edge length of point " + std::to_string(p) + " is " +
-        std::to_string(surface.targetEdgeLength[p]) + ": it must be positive and finite", { surface.points[p] });
+                            std::to_string(surface.targetEdgeLength[p]) + ": it must be positive and finite",
+                          { surface.points[p] });
     }
   }
   return RefineSurfaceReport{};
 }
 
-std::optional<Error> CheckEmbedded(const TriangleComplex& surface, const char* what, Monitor& monitor)
-{
-  const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-  if (pairs.empty())
-  {
-    return std::nullopt;
-  }
-  std::vector<Vec3> places;
-  for (const auto& pair : pairs)
-  {
-    places.push_back(surface.points[static_cast<std::size_t>(surface.triangles[static_cast<std::size_t>(pair[0])][0])]);
-  }
-  return InvalidInput(std::string(what) + " intersects itself in " + std::to_string(pairs.size()) + " pairs of triangles" +
-      DescribePlaces(places),
-    places);
-}
-
 /// The correction moves points a little: where that makes triangles meet, their points are left out of it.
-void RestoreWithoutIntersections(
-  TriangleComplex& surface, const SheetGraph& sheets, const std::vector<double>& targets, Monitor& monitor)
+void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& sheets,
+                                 const std::vector<double>& targets, Monitor& monitor)
 {
   const std::vector<Vec3> start = surface.points;
   std::vector<char> frozen(surface.points.size(), 0);
@@ -433,7 +424,7 @@ void Measure(const TriangleComplex& surface, RefineSurfaceReport& report)
     for (std::size_t k = 0; k < 3; ++k)
     {
       const double h = 0.5 * (surface.targetEdgeLength[static_cast<std::size_t>(t[k])] +
-                         surface.targetEdgeLength[static_cast<std::size_t>(t[(k + 1) % 3])]);
+                              surface.targetEdgeLength[static_cast<std::size_t>(t[(k + 1) % 3])]);
       const double r = Norm(at(k) - at(k + 1)) / h;
       ++edges;
       inRange += r >= 0.5 && r <= 1.5 ? 1 : 0;
@@ -452,7 +443,8 @@ void Measure(const TriangleComplex& surface, RefineSurfaceReport& report)
         const int side = SideOf(surface.materials[static_cast<std::size_t>(t)], material);
         if (side != 0)
         {
-          normals.push_back(side * Normalized(AreaVector2(surface.points, surface.triangles[static_cast<std::size_t>(t)])));
+          normals.push_back(
+            side * Normalized(AreaVector2(surface.points, surface.triangles[static_cast<std::size_t>(t)])));
         }
       }
       if (!normals.empty() && FindVisibleDirection(normals).leastCosine < 0.4)
@@ -467,15 +459,15 @@ void Measure(const TriangleComplex& surface, RefineSurfaceReport& report)
 
 } // namespace
 
-Result<RefineSurfaceReport> RefineSurface(
-  TriangleComplex& surface, const RefineSurfaceOptions& options, Monitor& monitor)
+Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const RefineSurfaceOptions& options,
+                                          Monitor& monitor)
 {
   Result<RefineSurfaceReport> checked = Check(surface, options, monitor);
   if (!checked)
   {
     return checked.GetError();
   }
-  if (const auto error = CheckEmbedded(surface, "the surface to refine", monitor))
+  if (const auto error = CheckEmbedded(surface.points, surface.triangles, "the surface to refine", monitor))
   {
     return *error;
   }
@@ -517,7 +509,8 @@ Result<RefineSurfaceReport> RefineSurface(
   const std::vector<double> after = MaterialVolumes(surface, materials);
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
-    report.largestVolumeChange = std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
+    report.largestVolumeChange =
+      std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
   Measure(surface, report);
   monitor.Progress(1, "refined");

@@ -16,13 +16,14 @@ namespace lamina
 namespace
 {
 
-/// Sweeps between two measurements of the clearances: few at first, while the staircase holds sheets close together.
+/// Sweeps between two measurements of the clearances: few at first, while the staircase holds sheets close
+/// together.
 int SweepsOfPhase(int done)
 {
   return done < 4 ? 2 : (done < 10 ? 6 : 10);
 }
 
-constexpr int halvings = 2;      ///< a refused move is tried again at half its weight this often
+constexpr int halvings = 2; ///< a refused move is tried again at half its weight this often
 constexpr int colours = 192;
 
 /// What is relaxed: edges whose ends are of one kind, and points without such an edge (b = -1).
@@ -36,7 +37,8 @@ std::vector<Edge> ChooseEdges(const SmoothingState& s)
     const Edge& edge = s.table.edges[e];
     const bool sheet = (kind(edge.a) & 3) == JunctionSheet;
     const bool curve = (kind(edge.a) & 3) == JunctionCurve && s.feature[e];
-    if (kind(edge.a) == kind(edge.b) && (sheet || curve) && s.freedom[static_cast<std::size_t>(edge.a)].dimensions > 1)
+    if (kind(edge.a) == kind(edge.b) && (sheet || curve) &&
+        s.freedom[static_cast<std::size_t>(edge.a)].dimensions > 1)
     {
       chosen.push_back(edge);
       served[static_cast<std::size_t>(edge.a)] = 1;
@@ -45,7 +47,8 @@ std::vector<Edge> ChooseEdges(const SmoothingState& s)
   }
   for (std::size_t p = 0; p < served.size(); ++p)
   {
-    if (!served[p] && (kind(static_cast<Id>(p)) & 3) != JunctionCorner && s.star.Count(static_cast<Id>(p)) > 0)
+    if (!served[p] && (kind(static_cast<Id>(p)) & 3) != JunctionCorner &&
+        s.star.Count(static_cast<Id>(p)) > 0)
     {
       chosen.push_back({ static_cast<Id>(p), -1 });
     }
@@ -55,8 +58,9 @@ std::vector<Edge> ChooseEdges(const SmoothingState& s)
 
 using Mask = std::array<std::uint64_t, colours / 64>;
 
-/// Edges of one colour neither move nor read a point that another of them moves: a sweep through the colours in order
-/// gives the same result for any number of threads. A relaxation reads the triangles around its ends and theirs.
+/// Edges of one colour neither move nor read a point that another of them moves: a sweep through the colours
+/// in order gives the same result for any number of threads. A relaxation reads the triangles around its ends
+/// and theirs.
 std::vector<std::vector<Edge>> Colour(const SmoothingState& s, const std::vector<Edge>& edges)
 {
   std::vector<Mask> written(s.surface.points.size(), Mask{});
@@ -122,7 +126,8 @@ std::vector<std::vector<Edge>> Colour(const SmoothingState& s, const std::vector
     }
     classes[static_cast<std::size_t>(colour)].push_back(edge);
   }
-  classes.erase(std::remove_if(classes.begin(), classes.end(), [](const auto& c) { return c.empty(); }), classes.end());
+  classes.erase(std::remove_if(classes.begin(), classes.end(), [](const auto& c) { return c.empty(); }),
+                classes.end());
   return classes;
 }
 
@@ -157,8 +162,8 @@ private:
   std::vector<std::vector<char>> Stuck; ///< edges of Classes that wait for the next phase
 };
 
-/// Relaxes one edge at full weight or, where that is refused, at less. Returns whether it need not be asked again in
-/// this phase: its move is refused at any weight.
+/// Relaxes one edge at full weight or, where that is refused, at less. Returns whether it need not be asked
+/// again in this phase: its move is refused at any weight.
 bool Smoother::RelaxOne(const Edge& edge)
 {
   double weight = this->Options.relaxation;
@@ -194,20 +199,22 @@ Id Smoother::Sweep(Monitor& monitor)
   {
     const std::vector<Edge>& edges = this->Classes[c];
     std::vector<char>& stuck = this->Stuck[c];
-    monitor.For(static_cast<Id>(edges.size()), 512, [&](Id begin, Id end) {
-      for (Id i = begin; i < end; ++i)
-      {
-        char& idle = stuck[static_cast<std::size_t>(i)];
-        idle = idle || this->RelaxOne(edges[static_cast<std::size_t>(i)]) ? 1 : 0;
-      }
-    });
+    monitor.For(static_cast<Id>(edges.size()), 512,
+                [&](Id begin, Id end)
+                {
+                  for (Id i = begin; i < end; ++i)
+                  {
+                    char& idle = stuck[static_cast<std::size_t>(i)];
+                    idle = idle || this->RelaxOne(edges[static_cast<std::size_t>(i)]) ? 1 : 0;
+                  }
+                });
     refused += std::count(stuck.begin(), stuck.end(), 1);
   }
   return refused;
 }
 
-/// The certificate of a phase: no two triangles intersect, else their points go back to the phase's start, and those
-/// around them, until none do; at the start none did.
+/// The certificate of a phase: no two triangles intersect, else their points go back to the phase's start,
+/// and those around them, until none do; at the start none did.
 Id Smoother::RollBack(Monitor& monitor)
 {
   std::vector<char> back(this->State.surface.points.size(), 0);
@@ -240,7 +247,8 @@ Id Smoother::RollBack(Monitor& monitor)
       char& done = back[static_cast<std::size_t>(p)];
       changed += done ? 0 : 1;
       done = 1;
-      this->State.surface.points[static_cast<std::size_t>(p)] = this->Guard.PhaseStart()[static_cast<std::size_t>(p)];
+      this->State.surface.points[static_cast<std::size_t>(p)] =
+        this->Guard.PhaseStart()[static_cast<std::size_t>(p)];
     }
     count += changed;
     if (changed == 0)
@@ -294,8 +302,8 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
 
 } // namespace
 
-Result<SmoothSurfaceReport> SmoothSurface(
-  TriangleComplex& surface, const SmoothSurfaceOptions& options, Monitor& monitor)
+Result<SmoothSurfaceReport> SmoothSurface(TriangleComplex& surface, const SmoothSurfaceOptions& options,
+                                          Monitor& monitor)
 {
   if (options.sweeps < 0)
   {
@@ -323,33 +331,27 @@ Result<SmoothSurfaceReport> SmoothSurface(
   const double unit = MeanEdgeLength(surface);
   if (options.sweeps > 0 && unit > 0)
   {
-    const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-    if (!pairs.empty())
+    if (const auto error = CheckEmbedded(surface.points, surface.triangles, "the surface to smooth", monitor))
     {
-      std::vector<Vec3> places;
-      for (const auto& pair : pairs)
-      {
-        places.push_back(surface.points[static_cast<std::size_t>(surface.triangles[static_cast<std::size_t>(pair[0])][0])]);
-      }
-      return InvalidInput("the surface intersects itself in " + std::to_string(pairs.size()) + " pairs of triangles" +
-          DescribePlaces(places) + ": smoothing cannot keep it embedded; repair these places first",
-        places);
+      return *error;
     }
     const SheetGraph graph = MakeSheetGraph(surface);
     const std::vector<double> targets = ShellVolumes(surface, graph);
-    // The bounds on moves have never failed to keep surfaces apart so far, but only the exact test proves it: where it
-    // finds fault, all is done again with a test after every phase.
+    // The bounds on moves have never failed to keep surfaces apart so far, but only the exact test proves it:
+    // where it finds fault, all is done again with a test after every phase.
     const std::vector<Vec3> start = surface.points;
     for (bool careful : { false, true })
     {
       surface.points = start;
       report.sweepsDone = 0;
+      report.movesRefused = 0;
       Smoother smoother(surface, options, unit, careful);
       while (report.sweepsDone < options.sweeps)
       {
         const int sweeps = std::min(SweepsOfPhase(report.sweepsDone), options.sweeps - report.sweepsDone);
         if (!smoother.Phase(sweeps, report, monitor))
         {
+          surface.points = start;
           return Cancelled();
         }
       }
@@ -358,13 +360,20 @@ Result<SmoothSurfaceReport> SmoothSurface(
         break;
       }
     }
-    RestoreVolumes(surface, graph, targets); // rounding errors of millions of moves
+    // Takes out the rounding errors of millions of moves, unless even that would make triangles meet.
+    const std::vector<Vec3> smoothed = surface.points;
+    RestoreVolumes(surface, graph, targets);
+    if (!FindIntersections(surface.points, surface.triangles, monitor).empty())
+    {
+      surface.points = smoothed;
+    }
   }
   report.volumesAfter = MaterialVolumes(surface, report.materials);
   for (std::size_t m = 0; m < report.materials.size(); ++m)
   {
-    report.largestVolumeChange = std::max(report.largestVolumeChange,
-      std::abs(report.volumesAfter[m] - report.volumesBefore[m]) / std::abs(report.volumesBefore[m]));
+    report.largestVolumeChange =
+      std::max(report.largestVolumeChange, std::abs(report.volumesAfter[m] - report.volumesBefore[m]) /
+                                             std::abs(report.volumesBefore[m]));
   }
   monitor.Progress(1, "smoothed");
   return report;

@@ -60,7 +60,9 @@ private:
   std::vector<Vec3> Normals; ///< of triangles
   std::vector<double> Seen;  ///< least cosine between a node's direction and its faces
   std::vector<double> Edge;  ///< mean length of the wall's edges at a node
-  std::vector<char> Dirty;   ///< triangles to test (again)
+  std::vector<double>
+    WallGap;               ///< clearance of the wall's triangles around a node, as far as layers could care
+  std::vector<char> Dirty; ///< triangles to test (again)
 };
 
 double Growth::Sight(Id v, const Vec3& direction) const
@@ -84,62 +86,66 @@ void Growth::FindDirections()
   this->Seen.resize(count);
   this->Edge.assign(count, 0);
   this->C.hidden.assign(count, 0);
-  this->Watch.For(static_cast<Id>(count), 512, [&](Id begin, Id end) {
-    for (Id v = begin; v < end; ++v)
-    {
-      std::vector<Vec3> normals;
-      double sum = 0;
-      double edges = 0;
-      for (Id t : Row(this->W.star, v))
-      {
-        normals.push_back(this->Normals[U(t)]);
-        for (Id p : this->W.triangles[U(t)])
-        {
-          sum += p == v ? 0 : Norm(this->W.points[U(p)] - this->W.points[U(v)]);
-          edges += p == v ? 0 : 1;
-        }
-      }
-      const VisibleDirection best = FindVisibleDirection(normals);
-      this->C.direction[U(v)] = best.direction;
-      this->Seen[U(v)] = best.leastCosine;
-      this->Edge[U(v)] = edges > 0 ? sum / edges : 0;
-      this->C.hidden[U(v)] = best.leastCosine < leastVisibility ? 1 : 0;
-    }
-  });
+  this->Watch.For(static_cast<Id>(count), 512,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id v = begin; v < end; ++v)
+                    {
+                      std::vector<Vec3> normals;
+                      double sum = 0;
+                      double edges = 0;
+                      for (Id t : Row(this->W.star, v))
+                      {
+                        normals.push_back(this->Normals[U(t)]);
+                        for (Id p : this->W.triangles[U(t)])
+                        {
+                          sum += p == v ? 0 : Norm(this->W.points[U(p)] - this->W.points[U(v)]);
+                          edges += p == v ? 0 : 1;
+                        }
+                      }
+                      const VisibleDirection best = FindVisibleDirection(normals);
+                      this->C.direction[U(v)] = best.direction;
+                      this->Seen[U(v)] = best.leastCosine;
+                      this->Edge[U(v)] = edges > 0 ? sum / edges : 0;
+                      this->C.hidden[U(v)] = best.leastCosine < leastVisibility ? 1 : 0;
+                    }
+                  });
 }
 
-/// Neighbouring columns should not cross: take the mean direction of the ring where it still sees all faces nearly as
-/// well as the best one does.
+/// Neighbouring columns should not cross: take the mean direction of the ring where it still sees all faces
+/// nearly as well as the best one does.
 void Growth::SmoothDirections()
 {
   const std::vector<double> best = this->Seen;
   for (int pass = 0; pass < 8; ++pass)
   {
     const std::vector<Vec3> before = this->C.direction;
-    this->Watch.For(static_cast<Id>(before.size()), 512, [&](Id begin, Id end) {
-      for (Id v = begin; v < end; ++v)
-      {
-        if (this->C.hidden[U(v)])
-        {
-          continue;
-        }
-        Vec3 sum;
-        for (Id t : Row(this->W.star, v))
-        {
-          for (Id p : this->W.triangles[U(t)])
-          {
-            sum += p == v || this->C.hidden[U(p)] ? Vec3{} : before[U(p)];
-          }
-        }
-        const Vec3 mean = Normalized(Normalized(sum) + before[U(v)]);
-        const double sight = this->Sight(v, mean);
-        if (sight >= 0.85 * best[U(v)])
-        {
-          this->C.direction[U(v)] = mean;
-          this->Seen[U(v)] = sight;
-        }
-      }
-    });
+    this->Watch.For(static_cast<Id>(before.size()), 512,
+                    [&](Id begin, Id end)
+                    {
+                      for (Id v = begin; v < end; ++v)
+                      {
+                        if (this->C.hidden[U(v)])
+                        {
+                          continue;
+                        }
+                        Vec3 sum;
+                        for (Id t : Row(this->W.star, v))
+                        {
+                          for (Id p : this->W.triangles[U(t)])
+                          {
+                            sum += p == v || this->C.hidden[U(p)] ? Vec3{} : before[U(p)];
+                          }
+                        }
+                        const Vec3 mean = Normalized(Normalized(sum) + before[U(v)]);
+                        const double sight = this->Sight(v, mean);
+                        if (sight >= 0.85 * best[U(v)])
+                        {
+                          this->C.direction[U(v)] = mean;
+                          this->Seen[U(v)] = sight;
+                        }
+                      }
+                    });
   }
 }
 
@@ -150,33 +156,38 @@ void Growth::SetHeights()
   const std::size_t count = this->W.points.size();
   this->C.height.assign(count, 0);
   this->C.wanted.assign(count, 0);
-  this->Watch.For(static_cast<Id>(count), 256, [&](Id begin, Id end) {
-    for (Id v = begin; v < end; ++v)
-    {
-      if (this->C.hidden[U(v)] || this->W.fixed[U(v)])
-      {
-        continue;
-      }
-      const Vec3& m = this->C.direction[U(v)];
-      double thickness = std::numeric_limits<double>::infinity();
-      if (!this->W.thickness.empty() && this->W.thickness[U(v)] > 0)
-      {
-        thickness = this->W.thickness[U(v)];
-      }
-      const auto hit =
-        tree.FirstHit(this->W.points[U(v)], m, 1e-6 * this->WallEdge(v), thickness, [&](Id t) {
-          const Triangle& c = this->W.triangles[U(t)];
-          return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
-        });
-      thickness = std::min(thickness, hit.t);
-      this->C.wanted[U(v)] = std::isfinite(thickness) ? this->Options.share * thickness : 0;
-    }
-  });
+  this->Watch.For(static_cast<Id>(count), 256,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id v = begin; v < end; ++v)
+                    {
+                      if (this->C.hidden[U(v)] || this->W.fixed[U(v)])
+                      {
+                        continue;
+                      }
+                      const Vec3& m = this->C.direction[U(v)];
+                      double thickness = std::numeric_limits<double>::infinity();
+                      if (!this->W.thickness.empty() && this->W.thickness[U(v)] > 0)
+                      {
+                        thickness = this->W.thickness[U(v)];
+                      }
+                      const auto hit = tree.FirstHit(
+                        this->W.points[U(v)], m, 1e-6 * this->WallEdge(v), thickness,
+                        [&](Id t)
+                        {
+                          const Triangle& c = this->W.triangles[U(t)];
+                          return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
+                        });
+                      thickness = std::min(thickness, hit.t);
+                      this->C.wanted[U(v)] = std::isfinite(thickness) ? this->Options.share * thickness : 0;
+                    }
+                  });
   this->C.height = this->C.wanted;
+  this->WallGap = PointClearances(this->W.points, this->W.triangles, this->C.wanted, this->Watch);
 }
 
-/// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped columns
-/// count as height 0, so that layers thin out towards them.
+/// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped
+/// columns count as height 0, so that layers thin out towards them.
 void Growth::LimitSlopes()
 {
   using Item = std::pair<double, Id>;
@@ -306,12 +317,14 @@ Id Growth::MendCells(int round)
     }
   }
   std::vector<char> bad(work.size(), 0);
-  this->Watch.For(static_cast<Id>(work.size()), 256, [&](Id begin, Id end) {
-    for (Id i = begin; i < end; ++i)
-    {
-      bad[U(i)] = this->IsSound(work[U(i)]) ? 0 : 1;
-    }
-  });
+  this->Watch.For(static_cast<Id>(work.size()), 256,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id i = begin; i < end; ++i)
+                    {
+                      bad[U(i)] = this->IsSound(work[U(i)]) ? 0 : 1;
+                    }
+                  });
   std::fill(this->Dirty.begin(), this->Dirty.end(), 0);
   std::vector<Id> nodes;
   Id failed = 0;
@@ -362,8 +375,8 @@ std::vector<Vec3> Growth::FrontPoints() const
   return front;
 }
 
-/// Shrinks the columns under front triangles that intersect others, or come nearer to them than the last layer is
-/// high. Returns how many columns shrank.
+/// Shrinks the columns under front triangles that intersect others, or come nearer to them than the last
+/// layer is high. Returns how many columns shrank.
 Id Growth::MendFronts(int round)
 {
   const std::vector<Vec3> front = this->FrontPoints();
@@ -386,7 +399,9 @@ Id Growth::MendFronts(int round)
     const double last = this->C.layers > 0 ? 1 - this->C.fraction[U(this->C.layers - 1)] : 0;
     for (std::size_t v = 0; v < front.size(); ++v)
     {
-      gap[v] = 0.6 * last * this->C.height[v];
+      // At most half of what the wall itself has: there it is the next triangles of the same front that are
+      // near.
+      gap[v] = std::min(0.6 * last * this->C.height[v], 0.5 * this->WallGap[v]);
     }
     const std::vector<double> clearance = PointClearances(front, this->W.triangles, gap, this->Watch);
     for (std::size_t v = 0; v < front.size(); ++v)
@@ -457,8 +472,8 @@ Result<Columns> Growth::Run()
     }
   }
   return Unreachable("no valid layers of material " + std::to_string(this->W.material) + " could be found" +
-      DescribePlaces(places) + ": refine the surface there, or ask for fewer layers",
-    places);
+                       DescribePlaces(places) + ": refine the surface there, or ask for fewer layers",
+                     places);
 }
 
 } // namespace

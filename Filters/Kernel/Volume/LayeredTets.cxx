@@ -20,43 +20,47 @@ std::size_t U(Id i)
   return static_cast<std::size_t>(i);
 }
 
-/// Layers that stand on each wall as columns. With an even number the two middle ones are left to the core, whose
-/// mid-surface points make them; with an odd number the middle one is.
+/// Layers that stand on each wall as columns. With an even number the two middle ones are left to the core,
+/// whose mid-surface points make them; with an odd number the middle one is.
 int LayersOfColumn(int layers)
 {
   return layers % 2 == 0 ? layers / 2 - 1 : (layers - 1) / 2;
 }
 
-/// Points half way between opposite fronts, where an even number of layers has its middle. Points too near to one
-/// taken before are left out.
-std::vector<Vec3> MiddlePoints(
-  const Wall& wall, const Columns& columns, const TriangleComplex& front, int layers, Monitor& monitor)
+/// Points half way between opposite fronts, where an even number of layers has its middle. Points too near to
+/// one taken before are left out.
+std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const TriangleComplex& front,
+                               int layers, Monitor& monitor)
 {
   const TriangleTree tree(front.points, front.triangles);
   const std::size_t count = wall.points.size();
   std::vector<Vec3> middle(count);
   std::vector<double> radius(count, 0);
-  monitor.For(static_cast<Id>(count), 256, [&](Id begin, Id end) {
-    for (Id v = begin; v < end; ++v)
-    {
-      if (wall.fixed[U(v)] || (columns.layers > 0 && columns.Stopped(v)))
-      {
-        continue;
-      }
-      const Vec3& m = columns.direction[U(v)];
-      const double thickness = wall.thickness.empty() ? 0 : wall.thickness[U(v)];
-      const auto hit =
-        tree.FirstHit(front.points[U(v)], m, 1e-3 * thickness, 3.0 * thickness / layers, [&](Id t) {
-          const Triangle& c = front.triangles[U(t)];
-          return c[0] != v && c[1] != v && c[2] != v;
-        });
-      if (hit.triangle >= 0)
-      {
-        middle[U(v)] = front.points[U(v)] + (0.5 * hit.t) * m;
-        radius[U(v)] = 0.5 * hit.t;
-      }
-    }
-  });
+  monitor.For(static_cast<Id>(count), 256,
+              [&](Id begin, Id end)
+              {
+                for (Id v = begin; v < end; ++v)
+                {
+                  if (wall.fixed[U(v)] || (columns.layers > 0 && columns.Stopped(v)))
+                  {
+                    continue;
+                  }
+                  const Vec3& m = columns.direction[U(v)];
+                  const double thickness = wall.thickness.empty() ? 0 : wall.thickness[U(v)];
+                  const auto hit =
+                    tree.FirstHit(front.points[U(v)], m, 1e-3 * thickness, 3.0 * thickness / layers,
+                                  [&](Id t)
+                                  {
+                                    const Triangle& c = front.triangles[U(t)];
+                                    return c[0] != v && c[1] != v && c[2] != v;
+                                  });
+                  if (hit.triangle >= 0)
+                  {
+                    middle[U(v)] = front.points[U(v)] + (0.5 * hit.t) * m;
+                    radius[U(v)] = 0.5 * hit.t;
+                  }
+                }
+              });
   // Greedy thinning on a grid, in the order of ids.
   double cell = 0;
   for (double r : radius)
@@ -104,7 +108,8 @@ std::optional<Error> CheckOptions(const LayeredTetsOptions& options)
 {
   if (options.layers < 1 || options.layers > 100)
   {
-    return InvalidOption("the number of layers must lie between 1 and 100, not " + std::to_string(options.layers));
+    return InvalidOption("the number of layers must lie between 1 and 100, not " +
+                         std::to_string(options.layers));
   }
   if (!(options.anisotropy > 0))
   {
@@ -121,7 +126,8 @@ std::optional<Error> CheckOptions(const LayeredTetsOptions& options)
 class Solid
 {
 public:
-  Solid(const TriangleComplex& surface, const LayeredTetsOptions& options, LayerMesh& layers, VolumeMesh& mesh)
+  Solid(const TriangleComplex& surface, const LayeredTetsOptions& options, LayerMesh& layers,
+        VolumeMesh& mesh)
     : Surface(surface)
     , Options(options)
     , Layers(layers)
@@ -131,7 +137,8 @@ public:
   std::optional<Error> Fill(int material, LayersOnSurface& onSurface, LayersReport& report, Monitor& monitor);
 
 private:
-  std::optional<Error> FillCore(const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds, Monitor& monitor);
+  std::optional<Error> FillCore(const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds,
+                                Monitor& monitor);
   void Improve(std::size_t firstCell, Monitor& monitor);
 
   const TriangleComplex& Surface;
@@ -140,8 +147,8 @@ private:
   VolumeMesh& Mesh;
 };
 
-std::optional<Error> Solid::FillCore(
-  const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds, Monitor& monitor)
+std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
+                                     const std::vector<Id>& frontIds, Monitor& monitor)
 {
   TriangleComplex front = FrontOf(wall, columns);
   std::vector<Vec3> middle;
@@ -167,7 +174,8 @@ std::optional<Error> Solid::FillCore(
   for (Id c = 0; c < core.CellCount(); ++c)
   {
     const Id* n = core.Cell(c);
-    this->Mesh.AddCell<4>(CellType::Tetrahedron, { ids[U(n[0])], ids[U(n[1])], ids[U(n[2])], ids[U(n[3])] }, wall.material, 0);
+    this->Mesh.AddCell<4>(CellType::Tetrahedron, { ids[U(n[0])], ids[U(n[1])], ids[U(n[2])], ids[U(n[3])] },
+                          wall.material, 0);
   }
   return std::nullopt;
 }
@@ -205,7 +213,8 @@ void Solid::Improve(std::size_t firstCell, Monitor& monitor)
   this->Mesh.layers.resize(firstCell);
   for (const std::array<Id, 4>& tet : set.tets)
   {
-    // The layer of a tet follows from its nodes: between layers k - 1 and k it is k, with a free node it is core.
+    // The layer of a tet follows from its nodes: between layers k - 1 and k it is k, with a free node it is
+    // core.
     int highest = 0;
     bool core = false;
     for (Id p : tet)
@@ -214,10 +223,12 @@ void Solid::Improve(std::size_t firstCell, Monitor& monitor)
       core = core || set.layerIndex[U(p)] < 0;
     }
     const int columnLayers = LayersOfColumn(this->Options.layers);
-    const bool flat = std::all_of(tet.begin(), tet.end(), [&](Id p) { return set.layerIndex[U(p)] == highest; });
+    const bool flat =
+      std::all_of(tet.begin(), tet.end(), [&](Id p) { return set.layerIndex[U(p)] == highest; });
     const int layer = core || (flat && highest == columnLayers) ? 0 : std::max(1, highest);
-    this->Mesh.AddCell<4>(
-      CellType::Tetrahedron, { global[U(tet[0])], global[U(tet[1])], global[U(tet[2])], global[U(tet[3])] }, material, layer);
+    this->Mesh.AddCell<4>(CellType::Tetrahedron,
+                          { global[U(tet[0])], global[U(tet[1])], global[U(tet[2])], global[U(tet[3])] },
+                          material, layer);
   }
   for (std::size_t p = 0; p < global.size(); ++p)
   {
@@ -225,7 +236,8 @@ void Solid::Improve(std::size_t firstCell, Monitor& monitor)
   }
 }
 
-std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, LayersReport& report, Monitor& monitor)
+std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, LayersReport& report,
+                                 Monitor& monitor)
 {
   const Wall wall = MakeWall(this->Surface, material);
   const int columnLayers = LayersOfColumn(this->Options.layers);
@@ -262,7 +274,7 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
 } // namespace
 
 Result<LayersReport> MeshLayeredTets(const TriangleComplex& surface, const LayeredTetsOptions& options,
-  VolumeMesh& mesh, LayersOnSurface& onSurface, Monitor& monitor)
+                                     VolumeMesh& mesh, LayersOnSurface& onSurface, Monitor& monitor)
 {
   if (const auto error = CheckOptions(options))
   {
@@ -301,8 +313,9 @@ Result<LayersReport> MeshLayeredTets(const TriangleComplex& surface, const Layer
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
     const Id* n = mesh.Cell(c);
-    report.leastQuality = std::min(report.leastQuality,
-      TetQuality(mesh.points[U(n[0])], mesh.points[U(n[1])], mesh.points[U(n[2])], mesh.points[U(n[3])]));
+    report.leastQuality =
+      std::min(report.leastQuality, TetQuality(mesh.points[U(n[0])], mesh.points[U(n[1])],
+                                               mesh.points[U(n[2])], mesh.points[U(n[3])]));
   }
   monitor.Progress(1, "layered tetrahedra made");
   return report;

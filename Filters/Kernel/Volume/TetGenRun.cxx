@@ -53,8 +53,9 @@ void FillFacets(const std::vector<Triangle>& triangles, tetgenio& in)
 }
 
 /// Interior points are isolated points of the input and so part of the first, spatially sorted Delaunay
-/// tetrahedralization. (TetGen's -i would insert them after the cavities are carved, where its walk to a point often
-/// ends at a wall and falls back to a search through all tets: measured, two thirds of the whole time.)
+/// tetrahedralization. (TetGen's -i would insert them after the cavities are carved, where its walk to a
+/// point often ends at a wall and falls back to a search through all tets: measured, two thirds of the whole
+/// time.)
 void Fill(const TetGenTask& task, tetgenio& in)
 {
   std::vector<Vec3> points = task.points;
