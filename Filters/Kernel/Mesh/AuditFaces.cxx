@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Adjacency.h"
 #include "AuditFaces.h"
+#include "Adjacency.h"
 
 #include "CellFaces.h"
 #include "Findings.h"
@@ -45,7 +45,7 @@ public:
     , Report(report)
     , Marks(marks)
     , Faces(FindCellFaces(mesh, monitor))
-    , OnSurface(this->Faces.GroupCount(), 0)
+    , OnSurface(this->Faces.GroupCount(), OffSurface)
   {
     for (int material : mesh.materials)
     {
@@ -115,11 +115,12 @@ private:
     const bool hasSecond = this->Meshed.count(pair.second) != 0;
     const bool isThere = *std::min_element(corners.begin(), corners.end()) >= 0;
     const Id g = isThere ? this->Faces.Find(corners) : -1;
+    const bool isOpening = IsOpening(*this->Surface, this->Surface->Patch(t));
     if (g >= 0)
     {
-      this->OnSurface[Index(g)] = 1;
+      this->OnSurface[Index(g)] = isOpening ? this->Surface->Patch(t) : OnWall;
     }
-    if (IsOpening(*this->Surface, this->Surface->Patch(t)) || (!hasFirst && !hasSecond))
+    if (isOpening || (!hasFirst && !hasSecond))
     {
       return; // openings may be triangulated anew
     }
@@ -173,7 +174,7 @@ private:
         this->MismatchPlaces.Add(place);
         this->Flag(g);
       }
-      else if (this->Surface != nullptr && this->OnSurface[g] == 0 &&
+      else if (this->Surface != nullptr && this->OnSurface[g] == OffSurface &&
                this->MaterialOf(face[0]) != this->MaterialOf(face[1]))
       {
         ++this->Report.strayInterfaces;
@@ -187,13 +188,13 @@ private:
   void WalkBoundary(std::size_t g, Openings& openings)
   {
     const CellFace& face = *this->Group(g);
-    if (this->Surface == nullptr)
+    if (this->Surface == nullptr || this->OnSurface[g] == OnWall)
     {
-      return;
+      return; // also a wall that happens to lie in the plane of an opening
     }
-    // Triangles of the surface may be those of an opening: all that lies there counts towards its area.
-    const bool isOpening = openings.Add(this->Mesh, face);
-    if (!isOpening && this->OnSurface[g] == 0)
+    // Whether the opening kept its triangles or got new ones: all that lies there counts towards its area.
+    const bool isOpening = openings.Add(this->Mesh, face, this->OnSurface[g]);
+    if (!isOpening && this->OnSurface[g] == OffSurface)
     {
       ++this->Report.openFaces;
       this->OpenPlaces.Add(CentreOf(this->Mesh, face));
@@ -287,7 +288,10 @@ private:
   AuditReport& Report;
   AuditMarks& Marks;
   CellFaces Faces;
-  std::vector<char> OnSurface; ///< one a group
+  static constexpr int OffSurface = 0;
+  static constexpr int OnWall = -1;
+  std::vector<int>
+    OnSurface; ///< one a group of faces: off the surface, on a wall, or the patch of an opening
   std::set<int> Meshed;
   Places CrowdPlaces;
   Places MismatchPlaces;

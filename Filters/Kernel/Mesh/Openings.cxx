@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Adjacency.h"
 #include "Openings.h"
+#include "Adjacency.h"
 
 #include "../Base/Result.h"
 
@@ -64,14 +64,15 @@ Openings::Openings(const TriangleComplex* surface, double scale)
   }
 }
 
-bool Openings::Add(const VolumeMesh& mesh, const CellFace& face)
+bool Openings::Add(const VolumeMesh& mesh, const CellFace& face, int patch)
 {
   const std::size_t n = face.IsQuad() ? 4 : 3;
   for (Opening& opening : this->All)
   {
     const Vec3 normal = Normalized(opening.area);
     const double near = Tolerance * opening.extent;
-    bool isIn = mesh.materials[static_cast<std::size_t>(face.cell)] == opening.material;
+    bool isIn = mesh.materials[static_cast<std::size_t>(face.cell)] == opening.material &&
+                (patch == 0 || patch == opening.patch);
     for (std::size_t i = 0; i < n && isIn; ++i)
     {
       const Vec3& p = mesh.points[static_cast<std::size_t>(face.corners[i])];

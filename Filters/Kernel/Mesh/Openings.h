@@ -18,8 +18,8 @@ class Openings
 public:
   Openings(const TriangleComplex* surface, double scale);
   /// True if the face lies in an opening's plane, within its box and facing as it does; its area is added
-  /// there.
-  bool Add(const VolumeMesh& mesh, const CellFace& face);
+  /// there. With a patch other than 0 only that opening is asked.
+  bool Add(const VolumeMesh& mesh, const CellFace& face, int patch);
   /// A finding for each opening whose faces do not add up to its area.
   void Tell(std::vector<std::string>& findings) const;
 
