@@ -54,6 +54,12 @@ def relative(mesh, wanted):
     return f"{abs(mesh / wanted - 1):.1e}" if wanted else "-"
 
 
+def share(fraction):
+    """As a percentage that says 100 only of all."""
+    text = f"{100 * fraction:.3f} %"
+    return "> 99.999 %" if fraction < 1 and text == "100.000 %" else text
+
+
 def quality(row, kind):
     if not row["cells"]["tetrahedra" if kind == "tet" else "wedges"]:
         return ["-", "-"]
@@ -70,7 +76,7 @@ def section(report):
     lines = table(["material", *CELLS, "components"], cells)
     shapes = []
     for m in report["materials"]:
-        above = f"{100 * m['tetAboveGate']:.3f} %" if m["cells"].get("tetrahedra") else "-"
+        above = share(m["tetAboveGate"]) if m["cells"].get("tetrahedra") else "-"
         shapes.append([m["material"], *quality(m, "tet"), above, *quality(m, "wedge"),
                        relative(m["meshVolume"], m.get("surfaceVolume")), relative(m["meshVolume"], m["voxelVolume"])])
     lines += table(["material", "tets: least", "1 %", "above the gate", "prisms: least", "1 %", "volume error: of the surface",
@@ -86,10 +92,11 @@ def introduction(note):
     cores = len(os.sched_getaffinity(0))
     return ["# Figures", "",
             "What whole runs give, at default options; written by `Testing/Python/WriteFigures.py`, which `Utilities/test.sh --all`",
-            f"runs. Do not edit by hand. Measured on {cores} cores. {note}", "",
+            f"runs. Do not edit by hand. Measured on {cores} cores.", note, "",
             "- *Quality* of tetrahedra is 3 r/R (1 for a regular one), of prisms the scaled aspect ratio; *1 %* is the first",
             "  percentile; the *gate* is a tetrahedron's quality of 0.1.",
-            "- *Volume error* is relative: of a material's cells against what its surface encloses, and against its voxels.",
+            "- *Volume error* is relative: of a material's cells against what its surface encloses, and against its voxels; the",
+            "  latter is mostly the repair of contacts over edges and corners, which relabels voxels before the surface is made.",
             "- *Peak memory* is that of the largest process, pvpython or lamina-tetgen, over the whole run.",
             "- *Components* are pieces connected through faces.", ""]
 
