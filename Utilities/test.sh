@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Install what is missing, build, run the quick tests; with --all the long ones too.
+# Install what is missing, build, run the quick tests; with --all the long ones too, which also write docs/figures.md.
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 label="-L quick"
