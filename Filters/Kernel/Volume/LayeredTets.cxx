@@ -30,7 +30,7 @@ int LayersOfColumn(int layers)
 /// Points half way between opposite fronts, where an even number of layers has its middle. Points too near to
 /// one taken before are left out.
 std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const TriangleComplex& front,
-                               int layers, Monitor& monitor)
+                               const LayeredTetsOptions& options, Monitor& monitor)
 {
   const TriangleTree tree(front.points, front.triangles);
   const std::size_t count = wall.points.size();
@@ -48,7 +48,7 @@ std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const T
                   const Vec3& m = columns.direction[U(v)];
                   const double thickness = wall.thickness.empty() ? 0 : wall.thickness[U(v)];
                   const auto hit =
-                    tree.FirstHit(front.points[U(v)], m, 1e-3 * thickness, 3.0 * thickness / layers,
+                    tree.FirstHit(front.points[U(v)], m, 1e-3 * thickness, 3.0 * thickness / options.layers,
                                   [&](Id t)
                                   {
                                     const Triangle& c = front.triangles[U(t)];
@@ -61,7 +61,9 @@ std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const T
                   }
                 }
               });
-  // Greedy thinning on a grid, in the order of ids.
+  // Greedy thinning on a grid, in the order of ids. A radius is a layer's thickness: along the wall points
+  // may stand about half as close as the wall's own.
+  const double spacing = std::min(1.0, 0.45 * options.anisotropy);
   double cell = 0;
   for (double r : radius)
   {
@@ -89,7 +91,7 @@ std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const T
       {
         for (std::size_t other : found->second)
         {
-          free = free && Norm(kept[other] - middle[v]) > 0.9 * std::min(radius[v], keptRadius[other]);
+          free = free && Norm(kept[other] - middle[v]) > spacing * std::min(radius[v], keptRadius[other]);
         }
       }
     }
@@ -154,7 +156,7 @@ std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
   std::vector<Vec3> middle;
   if (this->Options.layers % 2 == 0)
   {
-    middle = MiddlePoints(wall, columns, front, this->Options.layers, monitor);
+    middle = MiddlePoints(wall, columns, front, this->Options, monitor);
   }
   VolumeMesh core;
   SubMonitor part(monitor, 0.4, 0.9);
