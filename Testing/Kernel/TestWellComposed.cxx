@@ -44,8 +44,8 @@ void ExpectRepaired(const LabelImage& before, const char* what)
 {
   ThreadMonitor monitor;
   LabelImage after = before;
-  const auto changed = MakeWellComposed(after, monitor);
-  EXPECT_TRUE(FindCriticalVoxels(after, monitor).empty()) << what;
+  const auto changed = RepairTopology(after, {}, monitor).changed;
+  EXPECT_TRUE(FindTopologyFaults(after, {}, monitor).empty()) << what;
   EXPECT_TRUE(std::is_sorted(changed.begin(), changed.end())) << what;
   for (std::size_t v = 0; v < after.labels.size(); ++v)
   {
@@ -54,7 +54,7 @@ void ExpectRepaired(const LabelImage& before, const char* what)
       ASSERT_TRUE(std::binary_search(changed.begin(), changed.end(), static_cast<Id>(v))) << what << ' ' << v;
     }
   }
-  EXPECT_TRUE(MakeWellComposed(after, monitor).empty()) << what;
+  EXPECT_TRUE(RepairTopology(after, {}, monitor).changed.empty()) << what;
 }
 
 } // namespace
@@ -79,9 +79,9 @@ TEST(WellComposed, EdgeContactIsFound)
   At(image, 1, 1, 1) = 1;
   At(image, 2, 2, 1) = 1;
   // The edge between the lattice points (2, 2, 1) and (2, 2, 2): all voxels around both.
-  EXPECT_EQ(FindCriticalVoxels(image, monitor), VoxelsOf(image.grid, { { 1, 1, 0 } }, { { 2, 2, 2 } }));
+  EXPECT_EQ(FindTopologyFaults(image, {}, monitor), VoxelsOf(image.grid, { { 1, 1, 0 } }, { { 2, 2, 2 } }));
   At(image, 1, 2, 1) = 1;
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
 }
 
 TEST(WellComposed, CornerContactIsFoundInAMaterialAndInItsComplement)
@@ -92,7 +92,7 @@ TEST(WellComposed, CornerContactIsFoundInAMaterialAndInItsComplement)
     LabelImage image = Uniform(4, inside);
     At(image, 1, 1, 1) = 1 - inside;
     At(image, 2, 2, 2) = 1 - inside;
-    EXPECT_EQ(FindCriticalVoxels(image, monitor), VoxelsOf(image.grid, { { 1, 1, 1 } }, { { 2, 2, 2 } }))
+    EXPECT_EQ(FindTopologyFaults(image, {}, monitor), VoxelsOf(image.grid, { { 1, 1, 1 } }, { { 2, 2, 2 } }))
       << inside;
   }
 }
@@ -102,18 +102,18 @@ TEST(WellComposed, OutsideIsBackground)
   ThreadMonitor monitor;
   LabelImage image = Uniform(3, 1);
   At(image, 1, 0, 0) = 0; // a notch in the edge of the image is no contact
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
   At(image, 1, 0, 0) = 1;
   At(image, 1, 1, 0) = 0; // touches the outside through its own face, clean too
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
   At(image, 1, 1, 0) = 1;
   At(image, 1, 1, 1) = 0; // a cavity
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
   At(image, 1, 1, 1) = 1;
   image = Uniform(3, 0);
   At(image, 0, 0, 0) = 1;
   At(image, 1, 1, 0) = 1; // meet in an edge that ends in the border
-  EXPECT_EQ(FindCriticalVoxels(image, monitor), VoxelsOf(image.grid, { { 0, 0, 0 } }, { { 1, 1, 1 } }));
+  EXPECT_EQ(FindTopologyFaults(image, {}, monitor), VoxelsOf(image.grid, { { 0, 0, 0 } }, { { 1, 1, 1 } }));
 }
 
 TEST(WellComposed, CleanImagesStay)
@@ -122,7 +122,7 @@ TEST(WellComposed, CleanImagesStay)
   for (const LabelImage& clean : { Uniform(4, 0), Uniform(4, 3), images::Shell(13, 3.2, 5.6) })
   {
     LabelImage image = clean;
-    EXPECT_TRUE(MakeWellComposed(image, monitor).empty());
+    EXPECT_TRUE(RepairTopology(image, {}, monitor).changed.empty());
     EXPECT_EQ(image.labels, clean.labels);
   }
 }
@@ -136,9 +136,9 @@ TEST(WellComposed, OneVoxelMendsOneContact)
     image.labels[static_cast<std::size_t>(v)] = 1;
   }
   At(image, 3, 3, 2) = 1;
-  const auto changed = MakeWellComposed(image, monitor);
+  const auto changed = RepairTopology(image, {}, monitor).changed;
   EXPECT_EQ(changed.size(), 1u);
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
 }
 
 TEST(WellComposed, Checkerboards)
@@ -170,7 +170,7 @@ TEST(WellComposed, ThreadsMakeNoDifference)
   ThreadMonitor three(3);
   LabelImage a = noise;
   LabelImage b = noise;
-  EXPECT_EQ(FindCriticalVoxels(noise, one), FindCriticalVoxels(noise, three));
-  EXPECT_EQ(MakeWellComposed(a, one), MakeWellComposed(b, three));
+  EXPECT_EQ(FindTopologyFaults(noise, {}, one), FindTopologyFaults(noise, {}, three));
+  EXPECT_EQ(RepairTopology(a, {}, one).changed, RepairTopology(b, {}, three).changed);
   EXPECT_EQ(a.labels, b.labels);
 }

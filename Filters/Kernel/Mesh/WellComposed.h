@@ -3,22 +3,46 @@
 #pragma once
 
 #include "../Base/Monitor.h"
+#include "BlockFaults.h"
 #include "LabelImage.h"
 
 namespace lamina
 {
 
-/// True if the four voxels around a lattice edge, in cyclic order, have a material that touches itself only
-/// across the edge (Latecki's critical configuration C1, tested for every label and its complement).
-bool IsCriticalEdge(int p0, int p1, int p2, int p3);
+struct RepairOptions
+{
+  /// Pairs that may not meet. Voxels outside the image count as background.
+  std::vector<ForbiddenPair> forbidden;
+  /// Whether forbidden materials may meet across the image's border, and across the edge of the frozen
+  /// voxels.
+  bool openAtImageBorder = false;
+  bool openAtFrozen = false;
+  /// One flag a voxel; where it is not 0 the label may not change. Null: all may.
+  const std::vector<unsigned char>* frozen = nullptr;
+};
 
-/// Indices of the voxels that stand in a critical configuration (C1, or C2: a material, or its complement,
-/// that touches itself across a lattice point only). Voxels outside the image count as background.
-std::vector<Id> FindCriticalVoxels(const LabelImage& image, Monitor& monitor);
+struct RepairReport
+{
+  Id criticalEdges = 0;     ///< lattice edges across which only a material touched itself
+  Id criticalCorners = 0;   ///< lattice points
+  Id forbiddenContacts = 0; ///< lattice points around which forbidden neighbours stood
+  Id remaining = 0;         ///< lattice points whose fault stays because of frozen voxels
+  std::vector<Id> changed;  ///< voxels, ascending
+};
 
-/// Relabel as few voxels as a greedy search needs until no critical configuration is left. Always ends: a
-/// voxel that the search cannot settle only climbs in a fixed order of labels. Returns the voxels changed,
-/// ascending.
-std::vector<Id> MakeWellComposed(LabelImage& image, Monitor& monitor);
+/// Relabel as few voxels as the search can find until no 2x2x2 block is left in which a material, or its
+/// complement, touches itself across an edge or a corner only (Latecki's well-composedness, for every label),
+/// and none with forbidden neighbours.
+///
+/// Each place is searched for the cheapest set of changes that makes no new fault; a change that joins or
+/// cuts what the thinner material does not costs more, so vessels and walls of a voxel are thickened where
+/// they step diagonally, not cut. It ends for every input: a search only ever lowers the number of faulty
+/// places, and where it finds nothing a voxel climbs in a fixed order of labels, whose last one can fill the
+/// image without a fault. Each voxel takes part in at most two changes of searches, and so in at most 3
+/// (labels - 1) climbs. Where voxels are frozen there may be no way out: those places stay and are counted.
+RepairReport RepairTopology(LabelImage& image, const RepairOptions& options, Monitor& monitor);
+
+/// The voxels of all blocks that RepairTopology would have to mend, ascending.
+std::vector<Id> FindTopologyFaults(const LabelImage& image, const RepairOptions& options, Monitor& monitor);
 
 } // namespace lamina

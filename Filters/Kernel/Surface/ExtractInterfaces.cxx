@@ -330,7 +330,7 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     cut = CutMaterialsAtMask(labels, *options.mask, options.openMaterials);
   }
-  const std::vector<Id> repaired = MakeWellComposed(labels, monitor);
+  const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), monitor).changed;
   report.repairedVoxels = static_cast<Id>(repaired.size());
   for (std::size_t n = 0; n < repaired.size() && n < 100; ++n)
   {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order in which faulty places of a label image are mended.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "LabelLattice.h"
+#include "MaterialContacts.h"
+#include "RepairSearch.h"
+#include "WellComposed.h"
+
+#include <map>
+
+namespace lamina
+{
+
+/// Groups of faulty places that lie together are searched as one if they are few; where they are many
+/// (noise), the changes that mend most go first, then what is left is mended place by place, and at the end
+/// changes that turn out needless are taken back. See RepairTopology for what holds.
+class LabelRepair
+{
+public:
+  using Place = LabelLattice::Place;
+
+  LabelRepair(LabelImage& image, const RepairOptions& options, const LabelLattice& lattice,
+              const MaterialContacts& known);
+
+  /// Mend all of `faulty`, in this order; returns the number of places that stay faulty.
+  Id Run(const std::vector<Place>& faulty, Monitor& monitor);
+  /// Voxels whose label differs from the first, ascending.
+  std::vector<Id> Changed() const;
+
+private:
+  /// How much a change may break.
+  struct Care
+  {
+    RepairPrices prices;
+    double dearest;
+  };
+
+  bool IsFaulty(const Place& point) const
+  {
+    return this->Faulty[static_cast<std::size_t>(this->Lattice.PointIndex(point))];
+  }
+  int& LabelOf(const Place& v)
+  {
+    return this->Image.labels[static_cast<std::size_t>(this->Lattice.VoxelIndex(v))];
+  }
+  std::vector<Place> FaultyNear(const Place& centre, Id distance, std::size_t most) const;
+  std::vector<Place> AllFaulty() const;
+  void Set(const Place& voxel, int label);
+  bool Apply(const std::vector<LabelChange>& changes);
+
+  void RankLabels(const RepairOptions& options);
+  void MendGroups(const std::vector<Place>& faulty, Monitor& monitor);
+  void MendGroup(const std::vector<Place>& group, Monitor& monitor);
+  std::vector<LabelChange> TakeBackFrom(std::size_t begin);
+  bool MendPlaces(const std::vector<Place>& group, std::size_t begin, const Care& care, Monitor& monitor);
+  bool MendCarefully(const std::vector<Place>& group, Monitor& monitor);
+  void MendGreedily(const std::vector<Place>& group, const Care& care, Monitor& monitor);
+  void MendOneByOne(const std::vector<Place>& faulty, Monitor& monitor);
+  bool MendByOne(const Place& point, const Care& care);
+  bool MendPlace(const Place& point, const Care& care);
+  bool Climb(const Place& point);
+  LabelChange BestChange(const Place& voxel, const Care& care, double& score);
+  void TakeBack(Monitor& monitor);
+  void Improve(Monitor& monitor);
+  bool ImproveAround(const Place& voxel);
+
+  LabelImage& Image;
+  const LabelImage Before; ///< bodies are told from fragments in the image as it came
+  const LabelLattice Original;
+  const LabelLattice& Lattice;
+  const MaterialContacts& Known;
+  RepairCost Cost;
+  RepairSearch Search;
+  std::vector<bool> Faulty;     ///< by lattice point
+  std::map<Id, int> First;      ///< label that a changed voxel had at first
+  std::map<Id, int> Searched;   ///< how often searches changed a voxel
+  std::map<int, int> Rank;      ///< of labels: climbing goes up
+  std::vector<LabelChange> Log; ///< all changes so far
+  double Spent = 0;             ///< what the changes of searches cost at careful prices
+  std::vector<Id> Rough;        ///< voxels changed without a complete search
+  Id PlaceSteps = 0;            ///< left for MendPlace()
+  Id Steps = 0;                 ///< left for Improve()
+};
+
+} // namespace lamina

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What it costs to give a voxel another label: thin things may grow, not break.
+#pragma once
+
+#include "LabelLattice.h"
+#include "MaterialContacts.h"
+
+#include <unordered_map>
+
+namespace lamina
+{
+
+struct LabelChange
+{
+  LabelLattice::Place voxel{ { 0, 0, 0 } };
+  int from = 0;
+  int to = 0;
+};
+
+/// What a change costs beside its voxel.
+struct RepairPrices
+{
+  double join = 0.6; ///< two bodies of the new label, apart over faces nearby, become one
+  double cut = 0.6;  ///< the old label is parted over corners, or loses the tip of a strand
+};
+
+/// Prices at which walls and vessels of one voxel are thickened, not cut.
+constexpr RepairPrices CarefulPrices{ 3.5, 3.5 };
+
+/// Prices changes by what they do to the image as it came, whatever the order in which they are made.
+///
+/// A wall or a vessel that steps diagonally is one piece over corners and many small ones over faces. Joining
+/// such fragments costs nothing; joining what is large on both sides opens a wall.
+class RepairCost
+{
+public:
+  /// lattice: the image as it is now; original: as it came.
+  RepairCost(const LabelLattice& lattice, const LabelLattice& original, const MaterialContacts& known)
+    : Lattice(lattice)
+    , Original(original)
+    , Known(known)
+  {
+  }
+
+  /// 1, joins and cuts at their prices, and more where materials would meet that touch nowhere. The voxel
+  /// still has its old label.
+  double Of(const LabelChange& change, const RepairPrices& prices);
+
+private:
+  /// In the original: 0 to 1, how much a change joins; whether it cuts.
+  struct Harm
+  {
+    float joins = 0;
+    bool cuts = false;
+  };
+  const Harm& HarmOf(const LabelChange& change);
+
+  const LabelLattice& Lattice;
+  const LabelLattice& Original;
+  const MaterialContacts& Known;
+  std::unordered_map<Id, Harm> Harms; ///< by voxel and new label
+};
+
+} // namespace lamina
