@@ -5,10 +5,7 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace lamina
 {
@@ -18,25 +15,14 @@ namespace
 
 using Json = nlohmann::json;
 
-/// In a file; a later layout of it would count on.
-constexpr const char* Format = "Lamina voxel edits";
-constexpr int Version = 1;
-/// Runs may not stand for more ids than any image has voxels: a slip of the pen must not fill the memory.
-constexpr Id MostIds = 1LL << 32;
+/// Runs of an edit that does not say its image's size: a slip of the pen must not fill the memory.
+constexpr double MostIds = 1 << 28;
 
 /// What is wrong with an edit, thrown inside this file only.
 struct Wrong
 {
   std::string message;
 };
-
-/// The library's message without its own numbering in front: "parse error at line 1, column 7: ...".
-std::string Plain(const std::exception& error)
-{
-  const std::string text = error.what();
-  const std::size_t end = text.find("] ");
-  return text.rfind("[json.", 0) == 0 && end != std::string::npos ? text.substr(end + 2) : text;
-}
 
 const Json& Member(const Json& edit, const char* key)
 {
@@ -133,44 +119,57 @@ void ReadSphere(const Json& json, VoxelEdit& edit)
   edit.radius = Number(Member(json, "radius"), "radius");
 }
 
+/// The number of voxels that "dimensions" make.
+double ReadSize(const Json& size, VoxelEdit& edit)
+{
+  double voxels = 1;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    edit.size[a] = Whole(size[a], "dimensions");
+    if (edit.size[a] < 1 || edit.size[a] > std::numeric_limits<int>::max())
+    {
+      throw Wrong{ "\"dimensions\" must be three numbers of voxels above 0, not " + size.dump() };
+    }
+    voxels *= static_cast<double>(edit.size[a]);
+  }
+  return voxels;
+}
+
+std::pair<Id, Id> ReadRun(const Json& item)
+{
+  const bool run = item.is_array();
+  if (run && item.size() != 2)
+  {
+    throw Wrong{ "\"ids\" must be made of ids and of runs [first, last], not " + item.dump() };
+  }
+  const std::pair<Id, Id> ends{ Whole(run ? item[0] : item, "ids"), Whole(run ? item[1] : item, "ids") };
+  if (ends.first > ends.second)
+  {
+    throw Wrong{ "\"ids\" has the run " + item.dump() + ": give its first id first" };
+  }
+  return ends;
+}
+
 void ReadVoxels(const Json& json, VoxelEdit& edit)
 {
   CheckKeys(json, { "dimensions", "ids" });
   edit.shape = EditShape::Voxels;
+  double most = MostIds;
   if (json.contains("dimensions"))
   {
-    const Json& size = List(json, "dimensions", 3);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      edit.size[a] = Whole(size[a], "dimensions");
-      if (edit.size[a] < 1)
-      {
-        throw Wrong{ "\"dimensions\" must be three numbers of voxels above 0" };
-      }
-    }
+    most = ReadSize(List(json, "dimensions", 3), edit);
   }
+  double ids = 0;
   for (const Json& item : List(json, "ids", 0))
   {
-    const bool run = item.is_array();
-    if (run && item.size() != 2)
+    const auto run = ReadRun(item);
+    ids += static_cast<double>(run.second) - static_cast<double>(run.first) + 1;
+    if (ids > most)
     {
-      throw Wrong{ "\"ids\" must be made of ids and of runs [first, last], not " + item.dump() };
+      throw Wrong{ "\"ids\" has more ids than " + std::to_string(static_cast<Id>(most)) +
+                   ", the voxels of its image" };
     }
-    const Id first = Whole(run ? item[0] : item, "ids");
-    const Id last = Whole(run ? item[1] : item, "ids");
-    if (first > last)
-    {
-      throw Wrong{ "\"ids\" has the run " + item.dump() + ": give its first id first" };
-    }
-    if (first < 0 || last >= MostIds)
-    {
-      throw Wrong{ "\"ids\" has " + item.dump() + ", which is outside any image" };
-    }
-    if (static_cast<Id>(edit.voxels.size()) + (last - first) >= MostIds)
-    {
-      throw Wrong{ "\"ids\" has more ids than an image has voxels" };
-    }
-    for (Id id = first; id <= last; ++id)
+    for (Id id = run.first; id <= run.second; ++id)
     {
       edit.voxels.push_back(id);
     }
@@ -239,18 +238,6 @@ Json Runs(std::vector<Id> ids)
   return runs;
 }
 
-Result<Json> Parse(const std::string& text, const std::string& what)
-{
-  try
-  {
-    return Json::parse(text);
-  }
-  catch (const Json::exception& error)
-  {
-    return InvalidOption(what + " is not JSON: " + Plain(error));
-  }
-}
-
 Result<VoxelEdit> Interpret(const Json& json, const std::string& name)
 {
   try
@@ -269,8 +256,21 @@ Result<VoxelEdit> Interpret(const Json& json, const std::string& name)
 
 Result<VoxelEdit> ParseEdit(const std::string& text, const std::string& name)
 {
-  const Result<Json> json = Parse(text, name);
-  return json ? Interpret(*json, name) : Result<VoxelEdit>(json.GetError());
+  try
+  {
+    return Interpret(Json::parse(text), name);
+  }
+  catch (const Json::exception& error)
+  {
+    return InvalidOption(name + " is not JSON: " + PlainMessage(error));
+  }
+}
+
+std::string PlainMessage(const std::exception& error)
+{
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  return text.rfind("[json.", 0) == 0 && end != std::string::npos ? text.substr(end + 2) : text;
 }
 
 std::string WriteEdit(const VoxelEdit& edit)
@@ -298,74 +298,6 @@ std::string WriteEdit(const VoxelEdit& edit)
     json["ids"] = Runs(edit.voxels);
   }
   return json.dump();
-}
-
-Result<std::vector<std::string>> ReadEditFile(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  if (!file || !(content << file.rdbuf()))
-  {
-    return InvalidInput("the file of edits " + path +
-                        " cannot be read: check its name and that it is not empty");
-  }
-  const Result<Json> json = Parse(content.str(), "the file " + path);
-  if (!json)
-  {
-    return json.GetError();
-  }
-  if (!json->is_object() || json->value("format", Json()) != Format ||
-      json->value("version", Json()) != Version || !json->value("edits", Json()).is_array())
-  {
-    return InvalidInput("the file " + path + " holds no edits: it must be an object with \"format\": \"" +
-                        Format + "\", \"version\": " + std::to_string(Version) + " and a list \"edits\"");
-  }
-  std::vector<std::string> texts;
-  for (const Json& edit : (*json)["edits"])
-  {
-    const Result<VoxelEdit> read =
-      Interpret(edit, "the file " + path + ", edit " + std::to_string(texts.size() + 1));
-    if (!read)
-    {
-      return read.GetError();
-    }
-    texts.push_back(edit.dump());
-  }
-  return texts;
-}
-
-Result<bool> WriteEditFile(const std::string& path, const std::vector<std::string>& edits)
-{
-  std::string text = std::string("{\n  \"format\": \"") + Format +
-                     "\",\n  \"version\": " + std::to_string(Version) + ",\n  \"edits\": [";
-  for (std::size_t e = 0; e < edits.size(); ++e)
-  {
-    const Result<VoxelEdit> edit = ParseEdit(edits[e], "edit " + std::to_string(e + 1));
-    if (!edit)
-    {
-      return edit.GetError();
-    }
-    text += (e == 0 ? "\n    " : ",\n    ") + WriteEdit(*edit);
-  }
-  text += "\n  ]\n}\n";
-  const std::string unfinished = path + ".part";
-  {
-    std::ofstream file(unfinished, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-    {
-      std::remove(unfinished.c_str());
-      return InvalidInput("the file of edits " + path +
-                          " cannot be written: check its folder and the space left");
-    }
-  }
-  if (std::rename(unfinished.c_str(), path.c_str()) != 0)
-  {
-    std::remove(unfinished.c_str());
-    return InvalidInput("the file of edits " + path + " cannot be written: is it a folder, or not yours?");
-  }
-  return true;
 }
 
 } // namespace lamina

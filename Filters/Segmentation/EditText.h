@@ -12,8 +12,8 @@
 
 #include "Segmentation/Reassign.h"
 
+#include <exception>
 #include <string>
-#include <vector>
 
 namespace lamina
 {
@@ -23,9 +23,7 @@ Result<VoxelEdit> ParseEdit(const std::string& text, const std::string& name);
 /// One line of JSON.
 std::string WriteEdit(const VoxelEdit& edit);
 
-/// The texts of the edits in a file; each has been parsed once.
-Result<std::vector<std::string>> ReadEditFile(const std::string& path);
-/// Write the edits to a file. Nothing half-written is left under its name.
-Result<bool> WriteEditFile(const std::string& path, const std::vector<std::string>& edits);
+/// A message of the JSON library without its own numbering in front: "parse error at line 1, column 7: ...".
+std::string PlainMessage(const std::exception& error);
 
 } // namespace lamina

@@ -266,7 +266,12 @@ const char* ShapeName(EditShape shape)
 Result<ReassignReport> Reassign(LabelImage& image, std::vector<unsigned char>& decisions,
                                 const ReassignOptions& options, Monitor& monitor)
 {
-  if (const Result<bool> good = CheckEdits(image, options); !good)
+  if (static_cast<Id>(image.labels.size()) != image.grid.Count())
+  {
+    return InvalidInput(
+      Text("the image has ", image.labels.size(), " labels for ", image.grid.Count(), " voxels"));
+  }
+  if (const Result<bool> good = CheckEdits(image.grid, options); !good)
   {
     return good.GetError();
   }
@@ -286,6 +291,7 @@ Result<ReassignReport> Reassign(LabelImage& image, std::vector<unsigned char>& d
     const std::vector<int> edited = result.labels;
     SubMonitor part(monitor, 0.5, 1.0);
     part.Progress(0, "repairing the topology");
+    report.mended = true;
     Repair(result, made, options, report, part);
     CompareWithEdits(edited, result, made, report);
   }

@@ -62,6 +62,7 @@ struct EditReport
 struct ReassignReport
 {
   std::vector<EditReport> edits;
+  bool mended = false;  ///< whether the repair ran
   Id criticalEdges = 0; ///< faults found after the edits, before the repair
   Id criticalCorners = 0;
   Id forbiddenContacts = 0;
@@ -80,8 +81,8 @@ enum Decision : unsigned char
   Overridden = 2 ///< an edit gave it a material, the repair had to change it
 };
 
-/// A failure if an edit or a forbidden pair is not one that can be applied to `image`.
-Result<bool> CheckEdits(const LabelImage& image, const ReassignOptions& options);
+/// A failure if an edit or a forbidden pair is not one that can be applied to an image on `grid`.
+Result<bool> CheckEdits(const GridGeometry& grid, const ReassignOptions& options);
 
 /// Apply the edits to `image` and repair its topology. The repair leaves decided voxels alone at first; only
 /// for faults that then remain it may change them, which is reported. `decisions` gets a Decision a voxel. On

@@ -104,16 +104,11 @@ Result<bool> CheckEdit(const VoxelEdit& edit, const GridGeometry& grid)
 
 } // namespace
 
-Result<bool> CheckEdits(const LabelImage& image, const ReassignOptions& options)
+Result<bool> CheckEdits(const GridGeometry& grid, const ReassignOptions& options)
 {
-  if (static_cast<Id>(image.labels.size()) != image.grid.Count())
-  {
-    return InvalidInput(
-      Text("the image has ", image.labels.size(), " labels for ", SizeText(image.grid.size), " voxels"));
-  }
   for (const VoxelEdit& edit : options.edits)
   {
-    if (Result<bool> good = CheckEdit(edit, image.grid); !good)
+    if (Result<bool> good = CheckEdit(edit, grid); !good)
     {
       return good;
     }
