@@ -12,6 +12,21 @@
 namespace lamina
 {
 
+Result<std::vector<VoxelEdit>> ParseEdits(const std::vector<std::string>& texts)
+{
+  std::vector<VoxelEdit> edits;
+  for (const std::string& text : texts)
+  {
+    auto edit = ParseEdit(text, "edit " + std::to_string(edits.size() + 1));
+    if (!edit)
+    {
+      return edit.GetError();
+    }
+    edits.push_back(std::move(*edit));
+  }
+  return edits;
+}
+
 VoxelEdit DraftEdit(const std::string& name, int to, const std::vector<int>& from)
 {
   VoxelEdit edit;

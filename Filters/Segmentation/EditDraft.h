@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits in the making: what the properties of Reassign Voxels, or one of its methods, ask for.
+// Lists of edits, and edits in the making: what the properties of Reassign Voxels, or one of its methods, ask
+// for.
 #pragma once
 
 #include "Segmentation/Reassign.h"
@@ -12,6 +13,9 @@ class vtkSelection;
 
 namespace lamina
 {
+
+/// The edits that the texts describe, named "edit 1" and so on.
+Result<std::vector<VoxelEdit>> ParseEdits(const std::vector<std::string>& texts);
 
 /// An edit of material `to`, restricted to the materials `from`; as yet without a shape.
 VoxelEdit DraftEdit(const std::string& name, int to, const std::vector<int>& from);

@@ -2,13 +2,11 @@
 #include "vtkReassignVoxels.h"
 
 #include "AlgorithmMonitor.h"
-#include "Arrays.h"
 #include "EditDraft.h"
 #include "EditFile.h"
-#include "EditText.h"
 #include "ImageBridge.h"
 #include "MeshArrayNames.h"
-#include "ReassignTable.h"
+#include "ReassignOutput.h"
 #include "Report.h"
 #include "Stage.h"
 
@@ -19,12 +17,10 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 vtkStandardNewMacro(vtkReassignVoxels);
 
@@ -74,21 +70,6 @@ lamina::VoxelEdit NewEdit(int to, int from)
   return lamina::DraftEdit("the new edit", to, from == -1 ? std::vector<int>() : std::vector<int>{ from });
 }
 
-lamina::Result<std::vector<lamina::VoxelEdit>> ParseEdits(const std::vector<std::string>& texts)
-{
-  std::vector<lamina::VoxelEdit> edits;
-  for (const std::string& text : texts)
-  {
-    auto edit = lamina::ParseEdit(text, "edit " + std::to_string(edits.size() + 1));
-    if (!edit)
-    {
-      return edit.GetError();
-    }
-    edits.push_back(std::move(*edit));
-  }
-  return edits;
-}
-
 /// What Shape and the properties that go with it ask for.
 lamina::Result<lamina::VoxelEdit> MakeCurrentEdit(vtkReassignVoxels* self, vtkImageData* image,
                                                   vtkSelection* selection)
@@ -111,24 +92,6 @@ lamina::Result<lamina::VoxelEdit> MakeCurrentEdit(vtkReassignVoxels* self, vtkIm
       return lamina::InvalidOption("the shape of the current edit is " + std::to_string(self->GetShape()) +
                                    ": choose 1 (selection), 2 (box) or 3 (sphere)");
   }
-}
-
-/// Disputed no longer where an edit decided, and anew where the repair had to change that.
-void UpdateDisputed(const std::vector<unsigned char>& decisions, vtkImageData* output)
-{
-  vtkDataArray* old = output->GetPointData()->GetArray(lamina::names::Disputed);
-  if (!old || old->GetNumberOfComponents() != 1)
-  {
-    return;
-  }
-  std::vector<unsigned char> disputed(decisions.size());
-  for (std::size_t v = 0; v < decisions.size(); ++v)
-  {
-    const bool before = old->GetComponent(static_cast<vtkIdType>(v), 0) != 0;
-    disputed[v] = decisions[v] == lamina::Untouched ? before : decisions[v] == lamina::Overridden;
-  }
-  output->GetPointData()->AddArray(
-    lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, disputed));
 }
 
 } // namespace
@@ -349,7 +312,7 @@ int vtkReassignVoxels::RequestData(vtkInformation*, vtkInformationVector** input
     {
       return labels.GetError();
     }
-    auto edits = ParseEdits(this->Edits);
+    auto edits = lamina::ParseEdits(this->Edits);
     if (!edits)
     {
       return edits.GetError();
@@ -379,7 +342,7 @@ int vtkReassignVoxels::RequestData(vtkInformation*, vtkInformationVector** input
     }
     output->ShallowCopy(input);
     lamina::WriteLabels(*labels, output);
-    UpdateDisputed(decisions, output);
+    lamina::UpdateDisputed(decisions, output);
     lamina::AttachReport(output, "ReassignVoxels", Describe(*report));
     FillTable(*report, table);
     return lamina::Done{};

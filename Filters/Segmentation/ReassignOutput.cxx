@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReassignTable.h"
+#include "ReassignOutput.h"
+
+#include "Arrays.h"
+#include "MeshArrayNames.h"
 
 #include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <initializer_list>
 
@@ -77,6 +83,22 @@ void FillTable(const ReassignReport& report, vtkTable* table)
   {
     table->AddColumn(column);
   }
+}
+
+void UpdateDisputed(const std::vector<unsigned char>& decisions, vtkImageData* output)
+{
+  vtkDataArray* old = output->GetPointData()->GetArray(names::Disputed);
+  if (!old || old->GetNumberOfComponents() != 1)
+  {
+    return;
+  }
+  std::vector<unsigned char> disputed(decisions.size());
+  for (std::size_t v = 0; v < decisions.size(); ++v)
+  {
+    const bool before = old->GetComponent(static_cast<vtkIdType>(v), 0) != 0;
+    disputed[v] = decisions[v] == Untouched ? before : decisions[v] == Overridden;
+  }
+  output->GetPointData()->AddArray(MakeArray<vtkUnsignedCharArray>(names::Disputed, disputed));
 }
 
 } // namespace lamina
