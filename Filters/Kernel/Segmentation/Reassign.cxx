@@ -178,22 +178,23 @@ EditReport Work::Apply(const VoxelEdit& edit, Monitor& monitor) const
   {
     const auto range = this->Range(edit);
     const Id slices = std::max<Id>(range.second[2] - range.first[2] + 1, 0);
-    counts = this->Sum(slices, 1, monitor,
-                       [&](Id n, Counts& sum)
-                       {
-                         const Id k = range.first[2] + n;
-                         for (Id j = range.first[1]; j <= range.second[1]; ++j)
-                         {
-                           for (Id i = range.first[0]; i <= range.second[0]; ++i)
-                           {
-                             const Id index = this->Grid.Index(i, j, k);
-                             if (this->Holds(edit, CentreOf(this->Grid, index)))
-                             {
-                               this->Give(edit, index, sum);
-                             }
-                           }
-                         }
-                       });
+    counts =
+      this->Sum(slices, 1, monitor,
+                [&](Id n, Counts& sum)
+                {
+                  const Id k = range.first[2] + n;
+                  for (Id j = range.first[1]; j <= range.second[1]; ++j)
+                  {
+                    for (Id i = range.first[0]; i <= range.second[0]; ++i)
+                    {
+                      if (this->Holds(edit, this->Grid.ToWorld(static_cast<double>(i), static_cast<double>(j),
+                                                               static_cast<double>(k))))
+                      {
+                        this->Give(edit, this->Grid.Index(i, j, k), sum);
+                      }
+                    }
+                  }
+                });
   }
   return { edit.name, edit.shape, edit.to, counts.covered, counts.decided, counts.changed };
 }
