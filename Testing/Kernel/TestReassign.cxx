@@ -258,7 +258,7 @@ TEST(Reassign, TheRepairLeavesDecidedVoxels)
   ThreadMonitor monitor;
   const auto report = Reassign(image, decisions, options, monitor);
   ASSERT_TRUE(report);
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
   EXPECT_EQ(report->remaining, 0);
   EXPECT_EQ(report->overridden, 0);
   EXPECT_FALSE(report->repaired.empty());
@@ -279,7 +279,7 @@ TEST(Reassign, TheRepairOverridesOnlyWhereNothingElseHelps)
   ThreadMonitor monitor;
   const auto report = Reassign(image, decisions, options, monitor);
   ASSERT_TRUE(report);
-  EXPECT_TRUE(FindCriticalVoxels(image, monitor).empty());
+  EXPECT_TRUE(FindTopologyFaults(image, {}, monitor).empty());
   EXPECT_GT(report->overridden, 0);
   EXPECT_LE(report->overridden, 2);
   EXPECT_EQ(std::count(decisions.begin(), decisions.end(), Overridden), report->overridden);
@@ -320,9 +320,9 @@ TEST(Reassign, ForbiddenContactsAreRepaired)
 
 TEST(Reassign, TheSameForAnyNumberOfThreads)
 {
-  const LabelImage input = images::Noise(24, 4, 11);
+  const LabelImage input = images::Noise(12, 4, 11);
   ReassignOptions options;
-  options.edits = { Ball({ 8, 9, 10 }, 6, 3), Box({ 3, 3, 3 }, { 12, 20, 9 }, 1) };
+  options.edits = { Ball({ 4, 5, 5 }, 3, 3), Box({ 2, 2, 2 }, { 6, 10, 5 }, 1) };
   options.edits[1].from = { 3, 0 };
   LabelImage one = input;
   const auto first = Edited(one, options, 1);

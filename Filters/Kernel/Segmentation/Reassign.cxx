@@ -220,11 +220,26 @@ void NoteIdleEdit(const EditReport& edit, std::vector<std::string>& warnings)
                                                       " voxels have this material already")));
 }
 
-void Repair(LabelImage& image, const std::vector<unsigned char>& decisions, const ReassignOptions&,
-            ReassignReport&, Monitor& monitor)
+/// Repair around the decided voxels; only where that does not do, with them.
+void Repair(LabelImage& image, const std::vector<unsigned char>& decisions, const ReassignOptions& options,
+            ReassignReport& report, Monitor& monitor)
 {
-  (void)decisions;
-  MakeWellComposed(image, monitor);
+  RepairOptions repair;
+  repair.forbidden = options.forbidden;
+  repair.openAtImageBorder = options.openAtImageBorder;
+  repair.frozen = &decisions;
+  SubMonitor first(monitor, 0.0, 0.7);
+  const RepairReport around = RepairTopology(image, repair, first);
+  report.criticalEdges = around.criticalEdges;
+  report.criticalCorners = around.criticalCorners;
+  report.forbiddenContacts = around.forbiddenContacts;
+  report.remaining = around.remaining;
+  if (around.remaining > 0 && !monitor.Cancelled())
+  {
+    repair.frozen = nullptr;
+    SubMonitor second(monitor, 0.7, 1.0);
+    report.remaining = RepairTopology(image, repair, second).remaining;
+  }
 }
 
 void CompareWithEdits(const std::vector<int>& edited, const LabelImage& image,
