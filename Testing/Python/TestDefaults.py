@@ -15,7 +15,7 @@ import lamina
 
 def proxies(folder):
     for path in sorted(pathlib.Path(folder).glob("*.xml")):
-        for proxy in ElementTree.parse(path).getroot().iter("SourceProxy"):
+        for proxy in ElementTree.parse(path).getroot().iterfind("ProxyGroup/*[@class]"):
             yield path.name, proxy
 
 

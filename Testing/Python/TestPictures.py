@@ -5,6 +5,7 @@
 
 --write makes the baselines anew. A picture that differs is kept in OUTPUT_FOLDER.
 """
+import json
 import pathlib
 import sys
 
@@ -47,6 +48,13 @@ def scenes():
     grey = phantom.GetClientSideObject().GetOutputDataObject(0).GetPointData().GetScalars().GetName()
     yield "HeartPhantom", image_slice(phantom), ("POINTS", grey), False
     yield "MultimaterialSegmentation", image_slice(segmented), ("POINTS", "MaterialIds"), False
+    edited = simple.ReassignVoxels(Input=segmented, Shape="None")
+    middle = [0.5 * (a + b) for a, b in zip(*[iter(segmented.GetDataInformation().GetBounds())] * 2)]
+    size = segmented.GetDataInformation().GetBounds()[1]
+    edited.Edits = [json.dumps({"shape": "sphere", "center": middle, "radius": 0.2 * size, "to": 1}),
+                    json.dumps({"shape": "sphere", "center": middle, "radius": 0.1 * size, "to": 2})]
+    edited.UpdatePipeline()
+    yield "ReassignVoxels", image_slice(edited), ("POINTS", "MaterialIds"), False
     stages = tiny.pipeline()
     yield "MultimaterialMarchingCubes", stages["surface"], None, True
     yield "VolumeConservingSmoothing", stages["smooth"], None, True

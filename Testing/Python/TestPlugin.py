@@ -28,7 +28,7 @@ def check(condition, text):
 def main():
     found = set()
     for path in sorted(pathlib.Path(sys.argv[1]).glob("*.xml")):
-        proxy = next(ElementTree.parse(path).getroot().iter("SourceProxy"))
+        proxy = ElementTree.parse(path).getroot().find("ProxyGroup/*[@class]")
         name = re.sub(r"\W", "", proxy.get("label"))
         found.add(name)
         check(hasattr(simple, name), f"{name} is not in paraview.simple")
