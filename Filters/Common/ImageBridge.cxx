@@ -10,9 +10,12 @@
 #include <vtkIntArray.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace lamina
 {
@@ -63,6 +66,30 @@ Error BadVoxel(const GridGeometry& grid, Id v, const std::string& message)
   const Id k = v / (grid.size[0] * grid.size[1]);
   return InvalidInput(
     message, { grid.ToWorld(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) });
+}
+
+/// A mask is applied voxel by voxel: that makes sense only if its voxels lie where the image's do.
+Status CheckSameGrid(const GridGeometry& mask, const GridGeometry& image)
+{
+  if (mask.size != image.size)
+  {
+    return InvalidInput("the mask has " + SizeText(mask.size) + " voxels, the image " + SizeText(image.size) +
+                        ": they must agree");
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double at[3] = { corner & 1 ? image.size[0] - 1.0 : 0, corner & 2 ? image.size[1] - 1.0 : 0,
+                           corner & 4 ? image.size[2] - 1.0 : 0 };
+    const Vec3 here = image.ToWorld(at[0], at[1], at[2]);
+    const Vec3 there = mask.ToWorld(at[0], at[1], at[2]);
+    if (Norm(here - there) > 0.5 * std::min({ image.spacing.x, image.spacing.y, image.spacing.z }))
+    {
+      return InvalidInput("the mask lies elsewhere in the world than the image: a corner voxel is at " +
+                          ToString(there) + " instead of " + ToString(here) +
+                          "; give it the image's origin, spacing and direction, or resample it");
+    }
+  }
+  return Done{};
 }
 
 Status CheckScalars(const GridGeometry& grid, vtkDataArray* scalars)
@@ -168,7 +195,7 @@ Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars)
   return labels;
 }
 
-Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars)
+Result<GreyView> ViewGrey(vtkImageData* image, vtkDataArray* scalars)
 {
   const Result<GridGeometry> grid = ReadGeometry(image);
   if (!grid)
@@ -179,41 +206,64 @@ Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars)
   {
     return status.GetError();
   }
-  GreyImage grey{ *grid, std::vector<double>(static_cast<std::size_t>(grid->Count())) };
-  for (Id v = 0; v < grid->Count(); ++v)
+  vtkSmartPointer<vtkDataArray> array = scalars;
+  if (!scalars->HasStandardMemoryLayout() || scalars->GetDataType() == VTK_BIT)
   {
-    grey.values[static_cast<std::size_t>(v)] = scalars->GetComponent(v, 0);
+    // Values that are not laid out one after the other have to be copied after all.
+    const int type = scalars->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : scalars->GetDataType();
+    array.TakeReference(vtkDataArray::CreateDataArray(type));
+    array->DeepCopy(scalars);
   }
-  return grey;
+  const auto keep = std::make_shared<vtkSmartPointer<vtkDataArray>>(array);
+  const void* values = array->GetVoidPointer(0);
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(return GreyView(*grid, static_cast<const VTK_TT*>(values), grid->Count(), keep));
+  }
+  return InvalidInput(std::string("the image's values are of a type without numbers: ") +
+                      array->GetDataTypeAsString());
 }
 
-Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image)
+Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image)
 {
   const Result<GridGeometry> grid = ReadGeometry(mask);
   if (!grid)
   {
     return InvalidInput("mask: " + grid.GetError().message);
   }
-  if (grid->size != image.size)
+  if (const Status same = CheckSameGrid(*grid, image); !same)
   {
-    return InvalidInput("the mask has " + SizeText(grid->size) + " voxels, the image " +
-                        SizeText(image.size) + ": they must agree");
+    return same.GetError();
   }
   const Result<vtkDataArray*> scalars = FindScalars(mask, nullptr, nullptr);
   if (!scalars)
   {
     return InvalidInput("mask: " + scalars.GetError().message);
   }
-  if (const Status status = CheckScalars(*grid, *scalars); !status)
+  const Result<GreyView> values = ViewGrey(mask, *scalars);
+  if (!values)
   {
-    return InvalidInput("mask: " + status.GetError().message);
+    return InvalidInput("mask: " + values.GetError().message);
   }
-  LabelImage result{ image, std::vector<int>(static_cast<std::size_t>(image.Count())) };
-  for (Id v = 0; v < image.Count(); ++v)
+  RegionMask region{ image, std::vector<unsigned char>(static_cast<std::size_t>(image.Count())) };
+  std::vector<double> row(static_cast<std::size_t>(image.size[0]));
+  for (Id first = 0; first < image.Count(); first += image.size[0])
   {
-    result.labels[static_cast<std::size_t>(v)] = (*scalars)->GetComponent(v, 0) == 1 ? 1 : 0;
+    values->Read(first, first + image.size[0], row.data());
+    std::transform(row.begin(), row.end(), region.inside.begin() + first,
+                   [](double value) { return static_cast<unsigned char>(value == 1); });
   }
-  return result;
+  return region;
+}
+
+Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image)
+{
+  const Result<RegionMask> region = ReadRegion(mask, image);
+  if (!region)
+  {
+    return region.GetError();
+  }
+  return LabelImage{ image, { region->inside.begin(), region->inside.end() } };
 }
 
 void WriteGeometry(const GridGeometry& grid, vtkImageData* image)

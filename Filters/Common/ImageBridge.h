@@ -5,6 +5,7 @@
 
 #include "Stage.h"
 
+#include "Mesh/GreyView.h"
 #include "Mesh/LabelImage.h"
 
 class vtkDataArray;
@@ -23,10 +24,13 @@ Result<vtkDataArray*> FindScalars(vtkImageData* image, const char* name, const c
 
 /// Material ids from an array of any number type: whole numbers from 0 to 65,535.
 Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars);
-/// Grey values from an array of any number type; NaN means that nothing is known there.
-Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars);
-/// A region of interest of the same grid as `image`: 1 where the mask's values are 1, as other values
-/// mark regions that are of no interest.
+/// Grey values of any number type where they lie in the array, which must outlive the view; NaN means that
+/// nothing is known there.
+Result<GreyView> ViewGrey(vtkImageData* image, vtkDataArray* scalars);
+/// A region of interest of the same grid as `image` (size, and place in the world to half a voxel): inside
+/// where the mask's values are 1, as other values mark regions that are of no interest.
+Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image);
+/// The same as labels: 1 inside, else 0.
 Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image);
 
 /// Set the geometry of a new image whose extent starts at 0.

@@ -104,6 +104,8 @@ int vtkHeartPhantomSource::RequestData(vtkInformation*, vtkInformationVector**, 
                             WriteIntensity(grey, image);
                             lamina::WriteGeometry(labels.grid, truth);
                             lamina::WriteLabels(labels, truth);
+                            truth->GetPointData()->AddArray(
+                              lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Parts, report->parts));
                             std::vector<lamina::Id> components;
                             for (const lamina::HeartPhantomMaterial& material : report->materials)
                             {

@@ -7,9 +7,10 @@
  *
  * Output, port 0: vtkImageData with Intensity (unsigned char) on its points, the active scalars: blood about
  * 190, tissue about 85, anything else about 20, with partial volume at borders, blur, a bias field and noise.
- * Port 1: vtkImageData of the same grid with MaterialIds (int): 0 background, 1 tissue, 2 blood, the truth.
- * Its field data has MaterialComponents (vtkIdType x1): the number of components of each material, counted
- * over voxel faces, by id. Origin 0, equal spacings, in units of Length.
+ * Port 1: vtkImageData of the same grid with MaterialIds (int): 0 background, 1 tissue, 2 blood, the truth,
+ * and Parts (unsigned char): 0 outside, 1 wall, 2 leaflet, 3 strand (papillary muscle, chorda, tendon), 4
+ * chamber or great vessel, 5 coronary. Its field data has MaterialComponents (vtkIdType x1): the number of
+ * components of each material, counted over voxel faces, by id. Origin 0, equal spacings, in units of Length.
  *
  * The heart is made of signed distances: two ventricles, two atria, a thin septum, two valves with leaflets,
  * papillary muscles and chordae, a tendon across each ventricle, coronary arteries that branch and taper, and

@@ -5,21 +5,17 @@
 #include "Arrays.h"
 #include "ImageBridge.h"
 #include "MeshArrayNames.h"
-#include "Report.h"
+#include "SegmentationReport.h"
 #include "Stage.h"
 
 #include "Segmentation/Segment.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -28,66 +24,45 @@ vtkStandardNewMacro(vtkMultimaterialSegmentation);
 namespace
 {
 
-lamina::Report Describe(const lamina::SegmentReport& report)
+/// The properties for the kernel, which checks the numbers; choices are checked here.
+lamina::Status ReadOptions(vtkMultimaterialSegmentation* self, lamina::SegmentOptions& options)
 {
-  std::vector<lamina::Report> rules;
-  for (const lamina::SegmentRule& rule : report.rules)
+  for (const int choice : { self->GetKeptComponents(), self->GetRepairTopology() })
   {
-    rules.emplace_back();
-    rules.back()
-      .Add("rule", rule.name)
-      .Add("material", rule.material)
-      .Add("components", rule.components)
-      .Add("voxels", rule.voxels);
+    if (choice < 0 || choice > 2)
+    {
+      return lamina::InvalidOption("KeptComponents and RepairTopology are 0, 1 or 2, not " +
+                                   std::to_string(choice));
+    }
   }
-  std::vector<lamina::Report> materials;
-  for (const lamina::SegmentMaterial& material : report.materials)
+  if (self->GetDisputedVoxels() < 0 || self->GetDisputedVoxels() > 1)
   {
-    materials.emplace_back();
-    materials.back()
-      .Add("material", material.id)
-      .Add("voxels", material.voxels)
-      .Add("components", material.components);
+    return lamina::InvalidOption("DisputedVoxels is 0 or 1, not " +
+                                 std::to_string(self->GetDisputedVoxels()));
   }
-  return lamina::Report()
-    .Add("rules", rules)
-    .Add("materials", materials)
-    .Add("least", report.least)
-    .Add("greatest", report.greatest)
-    .Add("disputed", report.disputed)
-    .Add("passes", report.passes);
-}
-
-void FillTable(const lamina::SegmentReport& report, vtkTable* table)
-{
-  vtkNew<vtkStringArray> rules;
-  vtkNew<vtkIntArray> materials;
-  vtkNew<vtkIdTypeArray> components;
-  vtkNew<vtkIdTypeArray> voxels;
-  rules->SetName("Rule");
-  materials->SetName("Material");
-  components->SetName("Components");
-  voxels->SetName("Voxels");
-  const auto add = [&](const std::string& rule, int material, lamina::Id parts, lamina::Id count)
+  options.thresholds.clear();
+  for (int t = 0; t < self->GetNumberOfThresholds(); ++t)
   {
-    rules->InsertNextValue(rule);
-    materials->InsertNextValue(material);
-    components->InsertNextValue(parts);
-    voxels->InsertNextValue(count);
-  };
-  for (const lamina::SegmentRule& rule : report.rules)
-  {
-    add(rule.name, rule.material, rule.components, rule.voxels);
+    options.thresholds.push_back(self->GetThreshold(t));
   }
-  for (const lamina::SegmentMaterial& material : report.materials)
+  options.forbidden.clear();
+  for (int p = 0; p < self->GetNumberOfForbiddenContacts(); ++p)
   {
-    add("in all", material.id, material.components, material.voxels);
+    const int* pair = self->GetForbiddenContact(p);
+    options.forbidden.push_back({ { pair[0], pair[1] } });
   }
-  for (vtkAbstractArray* column :
-       std::initializer_list<vtkAbstractArray*>{ rules, materials, components, voxels })
-  {
-    table->AddColumn(column);
-  }
+  options.smoothingSweeps = self->GetSmoothingSweeps();
+  options.coronaryMajority = self->GetCoronaryMajority();
+  options.disputed = static_cast<lamina::DisputedChoice>(self->GetDisputedVoxels());
+  options.dissolveSkins = self->GetDissolveSkins();
+  options.kept = static_cast<lamina::KeptComponents>(self->GetKeptComponents());
+  options.keptCount = self->GetComponentCount();
+  options.minimumShare = self->GetMinimumShare();
+  options.minimumVoxels = self->GetMinimumVoxels();
+  options.repair = static_cast<lamina::TopologyRepair>(self->GetRepairTopology());
+  options.openAtImageBorder = self->GetOpenAtImageBorder();
+  options.openAtMaskBorder = self->GetOpenAtMaskBorder();
+  return lamina::Done{};
 }
 
 } // namespace
@@ -115,6 +90,26 @@ double vtkMultimaterialSegmentation::GetThreshold(int index)
   return index >= 0 && index < this->GetNumberOfThresholds()
            ? this->Thresholds[static_cast<std::size_t>(index)]
            : 0.0;
+}
+
+void vtkMultimaterialSegmentation::AddForbiddenContact(int first, int second)
+{
+  this->ForbiddenContacts.push_back({ { first, second } });
+  this->Modified();
+}
+
+void vtkMultimaterialSegmentation::ClearForbiddenContacts()
+{
+  this->ForbiddenContacts.clear();
+  this->Modified();
+}
+
+const int* vtkMultimaterialSegmentation::GetForbiddenContact(int index)
+{
+  static const int none[2] = { -1, -1 };
+  return index >= 0 && index < this->GetNumberOfForbiddenContacts()
+           ? this->ForbiddenContacts[static_cast<std::size_t>(index)].data()
+           : none;
 }
 
 int vtkMultimaterialSegmentation::FillInputPortInformation(int port, vtkInformation* info)
@@ -172,23 +167,20 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
                             {
                               return scalars.GetError();
                             }
-                            const auto grey = lamina::ReadGrey(input, *scalars);
+                            const auto grey = lamina::ViewGrey(input, *scalars);
                             if (!grey)
                             {
                               return grey.GetError();
                             }
                             lamina::SegmentOptions options;
-                            options.thresholds = this->Thresholds;
-                            options.coronaryMajority = this->CoronaryMajority;
-                            options.largestOnly = this->LargestOnly;
-                            options.minimumShare = this->MinimumShare;
-                            options.minimumVoxels = this->MinimumVoxels;
-                            options.openAtImageBorder = this->OpenAtImageBorder;
-                            options.openAtMaskBorder = this->OpenAtMaskBorder;
-                            lamina::LabelImage mask;
+                            if (const auto read = ReadOptions(this, options); !read)
+                            {
+                              return read.GetError();
+                            }
+                            lamina::RegionMask mask;
                             if (maskInput)
                             {
-                              auto read = lamina::ReadMask(maskInput, grey->grid);
+                              auto read = lamina::ReadRegion(maskInput, grey->grid);
                               if (!read)
                               {
                                 return read.GetError();
@@ -197,9 +189,9 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
                               options.mask = &mask;
                             }
                             lamina::LabelImage labels;
-                            std::vector<unsigned char> disputed;
+                            std::vector<unsigned char> flags;
                             lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::Segment(*grey, labels, disputed, options, monitor);
+                            const auto report = lamina::Segment(*grey, labels, flags, options, monitor);
                             if (!report)
                             {
                               return report.GetError();
@@ -211,9 +203,10 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
                             output->ShallowCopy(input);
                             lamina::WriteLabels(labels, output);
                             output->GetPointData()->AddArray(
-                              lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, disputed));
-                            lamina::AttachReport(output, "MultimaterialSegmentation", Describe(*report));
-                            FillTable(*report, table);
+                              lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, flags));
+                            lamina::AttachReport(output, "MultimaterialSegmentation",
+                                                 lamina::Describe(*report));
+                            lamina::FillTable(*report, table);
                             return lamina::Done{};
                           });
 }
@@ -226,9 +219,19 @@ void vtkMultimaterialSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << threshold;
   }
-  os << "\n" << indent << "LargestOnly: " << this->LargestOnly << "\n";
+  os << "\n" << indent << "SmoothingSweeps: " << this->SmoothingSweeps << "\n";
+  os << indent << "DisputedVoxels: " << this->DisputedVoxels << "\n";
+  os << indent << "DissolveSkins: " << this->DissolveSkins << "\n";
+  os << indent << "KeptComponents: " << this->KeptComponents << "\n";
+  os << indent << "ComponentCount: " << this->ComponentCount << "\n";
   os << indent << "MinimumShare: " << this->MinimumShare << "\n";
   os << indent << "MinimumVoxels: " << this->MinimumVoxels << "\n";
+  os << indent << "ForbiddenContacts:";
+  for (const auto& pair : this->ForbiddenContacts)
+  {
+    os << " (" << pair[0] << ", " << pair[1] << ")";
+  }
+  os << "\n" << indent << "RepairTopology: " << this->RepairTopology << "\n";
   os << indent << "OpenAtImageBorder: " << this->OpenAtImageBorder << "\n";
   os << indent << "OpenAtMaskBorder: " << this->OpenAtMaskBorder << "\n";
   os << indent << "CoronaryMajority: " << this->CoronaryMajority << "\n";

@@ -33,6 +33,14 @@ TEST(HeartPhantomSource, ArraysOfTheContract)
   EXPECT_STREQ(grey->GetPointData()->GetScalars()->GetName(), "Intensity");
   ASSERT_TRUE(vtkIntArray::SafeDownCast(truth->GetPointData()->GetScalars()));
   EXPECT_STREQ(truth->GetPointData()->GetScalars()->GetName(), "MaterialIds");
+  auto* parts = vtkUnsignedCharArray::SafeDownCast(truth->GetPointData()->GetArray("Parts"));
+  ASSERT_TRUE(parts);
+  auto* ids = vtkIntArray::SafeDownCast(truth->GetPointData()->GetScalars());
+  for (vtkIdType v = 0; v < parts->GetNumberOfTuples(); ++v)
+  {
+    const int material = parts->GetValue(v) == 0 ? 0 : (parts->GetValue(v) < 4 ? 1 : 2);
+    ASSERT_EQ(material, ids->GetValue(v));
+  }
   auto* components = vtkIdTypeArray::SafeDownCast(truth->GetFieldData()->GetArray("MaterialComponents"));
   ASSERT_TRUE(components);
   ASSERT_EQ(components->GetNumberOfTuples(), 3);

@@ -118,12 +118,12 @@ TEST(HeartPhantom, SegmentationFindsTheTrueComponents)
       segment.openAtImageBorder = open;
       const auto report = Segment(phantom.grey, labels, disputed, segment, monitor);
       ASSERT_TRUE(report);
-      ASSERT_EQ(report->materials.size(), 3u);
+      ASSERT_EQ(report->after.size(), 3u);
       for (int id = 0; id < 3; ++id)
       {
-        const auto& found = report->materials[id];
+        const auto& found = report->after[id];
         const auto& truth = phantom.report.materials[id];
-        EXPECT_EQ(found.components, truth.components) << "material " << id;
+        EXPECT_EQ(found.b0, truth.components) << "material " << id;
         if (resolution >= 96)
         {
           EXPECT_NEAR(double(found.voxels) / truth.voxels, 1.0, 0.08) << "material " << id;

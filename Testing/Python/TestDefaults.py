@@ -25,7 +25,8 @@ def cpp_default(instance, prop):
     if command.startswith("Add"):
         single = command[len("Add"):]
         count = getattr(instance, f"GetNumberOf{single}s")()
-        return [float(getattr(instance, f"Get{single}")(i)) for i in range(count)]
+        values = [getattr(instance, f"Get{single}")(i) for i in range(count)]
+        return [float(v) for value in values for v in (value if isinstance(value, (tuple, list)) else [value])]
     value = getattr(instance, "Get" + command[len("Set"):])()
     return [float(v) for v in value] if isinstance(value, (tuple, list)) else [float(value)]
 

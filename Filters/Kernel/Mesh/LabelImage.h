@@ -49,7 +49,14 @@ struct LabelImage
   std::vector<int> labels;
 };
 
-/// Grey values, one a voxel.
+/// A region of interest, a byte a voxel: not 0 inside.
+struct RegionMask
+{
+  GridGeometry grid;
+  std::vector<unsigned char> inside;
+};
+
+/// Grey values, one a voxel, of its own; GreyView reads those of others where they lie.
 struct GreyImage
 {
   GridGeometry grid;

@@ -10,33 +10,33 @@ namespace lamina
 namespace
 {
 
-/// Disjoint sets whose representative is always the least member, so that numbering needs no second rule.
-class DisjointSets
+/// Disjoint sets of runs, linked through their component field until the components are numbered. The
+/// representative is always the least member, so that numbering needs no second rule.
+class DisjointRuns
 {
 public:
-  explicit DisjointSets(std::size_t count)
-    : Parent(count)
+  explicit DisjointRuns(std::vector<LabelRun>& runs)
+    : Runs(runs)
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), Id{ 0 });
   }
-  Id Find(Id a)
+  int Find(int a) const
   {
-    while (this->Parent[a] != a)
+    while (this->Runs[a].component != a)
     {
-      this->Parent[a] = this->Parent[this->Parent[a]];
-      a = this->Parent[a];
+      this->Runs[a].component = this->Runs[this->Runs[a].component].component;
+      a = this->Runs[a].component;
     }
     return a;
   }
-  void Join(Id a, Id b)
+  void Join(Id a, Id b) const
   {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
+    const int first = this->Find(static_cast<int>(a));
+    const int second = this->Find(static_cast<int>(b));
+    this->Runs[std::max(first, second)].component = std::min(first, second);
   }
 
 private:
-  std::vector<Id> Parent;
+  std::vector<LabelRun>& Runs;
 };
 
 /// Call visit(begin, end, label) for each run of one row.
@@ -78,15 +78,17 @@ void CollectRuns(const std::vector<int>& labels, ComponentMap& map, Monitor& mon
                 {
                   Id at = map.rowStart[r];
                   ForEachRun(labels.data() + r * length, length,
-                             [&](int first, int last, int label) {
-                               map.runs[at++] = { first, last, label, 0 };
+                             [&](int first, int last, int label)
+                             {
+                               map.runs[at] = { first, last, label, static_cast<int>(at) };
+                               ++at;
                              });
                 }
               });
 }
 
 /// Join the runs of two neighbouring rows that share a label and overlap, or touch within `reach` voxels.
-void JoinRows(const ComponentMap& map, Id rowA, Id rowB, int reach, DisjointSets& sets)
+void JoinRows(const ComponentMap& map, Id rowA, Id rowB, int reach, const DisjointRuns& sets)
 {
   Id a = map.rowStart[rowA];
   Id b = map.rowStart[rowB];
@@ -109,38 +111,57 @@ void JoinRows(const ComponentMap& map, Id rowA, Id rowB, int reach, DisjointSets
   }
 }
 
-void JoinNeighbourRows(const ComponentMap& map, Connectivity connectivity, DisjointSets& sets)
+/// Join the rows of slice k to each other.
+void JoinInside(const ComponentMap& map, Id k, int reach, const DisjointRuns& sets)
 {
-  const Id rowsJ = map.size[1];
-  const bool corners = connectivity == Connectivity::Corners;
-  const int reach = corners ? 1 : 0;
-  for (Id k = 0; k < map.size[2]; ++k)
+  for (Id j = 1; j < map.size[1]; ++j)
   {
-    for (Id j = 0; j < rowsJ; ++j)
+    const Id row = j + map.size[1] * k;
+    JoinRows(map, row - 1, row, reach, sets);
+  }
+}
+
+/// Join the rows of slice k to those of the slice before.
+void JoinToSliceBefore(const ComponentMap& map, Id k, int reach, const DisjointRuns& sets)
+{
+  for (Id j = 0; j < map.size[1]; ++j)
+  {
+    const Id row = j + map.size[1] * k;
+    for (Id b = std::max<Id>(j - reach, 0); b <= std::min(j + reach, map.size[1] - 1); ++b)
     {
-      const Id row = j + rowsJ * k;
-      if (j > 0)
-      {
-        JoinRows(map, row - 1, row, reach, sets);
-      }
-      if (k == 0)
-      {
-        continue;
-      }
-      JoinRows(map, row - rowsJ, row, reach, sets);
-      if (corners && j > 0)
-      {
-        JoinRows(map, row - rowsJ - 1, row, reach, sets);
-      }
-      if (corners && j + 1 < rowsJ)
-      {
-        JoinRows(map, row - rowsJ + 1, row, reach, sets);
-      }
+      JoinRows(map, b + map.size[1] * (k - 1), row, reach, sets);
     }
   }
 }
 
-void NumberComponents(ComponentMap& map, DisjointSets& sets)
+/// Blocks of slices first, each with runs of its own, then the blocks to each other. The representatives are
+/// the same whatever the order.
+void JoinNeighbourRows(ComponentMap& map, Connectivity connectivity, Monitor& monitor)
+{
+  constexpr Id block = 16;
+  const int reach = connectivity == Connectivity::Corners ? 1 : 0;
+  DisjointRuns sets(map.runs);
+  monitor.For((map.size[2] + block - 1) / block, 1,
+              [&](Id begin, Id end)
+              {
+                for (Id k = begin * block; k < std::min(end * block, map.size[2]); ++k)
+                {
+                  JoinInside(map, k, reach, sets);
+                  if (k % block != 0)
+                  {
+                    JoinToSliceBefore(map, k, reach, sets);
+                  }
+                }
+              });
+  for (Id k = block; k < map.size[2]; k += block)
+  {
+    JoinToSliceBefore(map, k, reach, sets);
+  }
+}
+
+/// The runs come in memory order and a representative before the runs it stands for: one pass turns links
+/// into numbers.
+void NumberComponents(ComponentMap& map)
 {
   const Id rows = map.size[1] * map.size[2];
   for (Id r = 0; r < rows; ++r)
@@ -148,15 +169,14 @@ void NumberComponents(ComponentMap& map, DisjointSets& sets)
     for (Id at = map.rowStart[r]; at < map.rowStart[r + 1]; ++at)
     {
       LabelRun& run = map.runs[at];
-      const Id root = sets.Find(at);
-      if (root == at)
+      if (run.component == at)
       {
-        run.component = static_cast<Id>(map.components.size());
+        run.component = static_cast<int>(map.components.size());
         map.components.push_back({ run.label, 0, r * map.size[0] + run.begin });
       }
       else
       {
-        run.component = map.runs[root].component;
+        run.component = map.runs[run.component].component;
       }
       map.components[run.component].voxels += run.end - run.begin;
     }
@@ -181,9 +201,8 @@ ComponentMap FindComponents(const std::vector<int>& labels, const std::array<Id,
   {
     return map;
   }
-  DisjointSets sets(map.runs.size());
-  JoinNeighbourRows(map, connectivity, sets);
-  NumberComponents(map, sets);
+  JoinNeighbourRows(map, connectivity, monitor);
+  NumberComponents(map);
   return map;
 }
 

@@ -111,7 +111,7 @@ GridGeometry GridOf(const Placement& placement, const HeartPhantomOptions& optio
 
 /// Sample the shape over the image: labels, and the distances for partial volume (in voxels, clamped to +-1).
 void SampleShape(const HeartShape& shape, const Placement& placement, LabelImage& labels,
-                 PartialVolume& partial, Monitor& monitor)
+                 std::vector<HeartPart>& parts, PartialVolume& partial, Monitor& monitor)
 {
   const auto& size = placement.size;
   const Id tiles[3] = { (size[0] + Tile - 1) / Tile, (size[1] + Tile - 1) / Tile,
@@ -138,6 +138,7 @@ void SampleShape(const HeartShape& shape, const Placement& placement, LabelImage
               const HeartSample sample = shape.Sample(p, nearby);
               const Id voxel = labels.grid.Index(i, j, k);
               labels.labels[voxel] = sample.blood < 0 ? BloodLabel : (sample.heart < 0 ? TissueLabel : 0);
+              parts[voxel] = sample.part;
               partial.heart[voxel] = PartialVolume::Encode(sample.heart / h);
               partial.blood[voxel] = PartialVolume::Encode(sample.blood / h);
             }
@@ -185,6 +186,33 @@ Id RemoveCrumbs(LabelImage& labels, int bloodComponents, Monitor& monitor)
     }
   }
   return changed;
+}
+
+/// What mending has made another material is the plainest part of that one.
+void MendParts(const LabelImage& labels, std::vector<HeartPart>& parts)
+{
+  for (std::size_t v = 0; v < parts.size(); ++v)
+  {
+    const bool blood = parts[v] == HeartPart::Chamber || parts[v] == HeartPart::Coronary;
+    const int material = blood ? BloodLabel : (parts[v] == HeartPart::Outside ? 0 : TissueLabel);
+    if (material != labels.labels[v])
+    {
+      constexpr HeartPart plain[3] = { HeartPart::Outside, HeartPart::Wall, HeartPart::Chamber };
+      parts[v] = plain[labels.labels[v]];
+    }
+  }
+}
+
+std::vector<HeartPhantomRod> InVoxels(const std::vector<TaperedRod>& rods, const Placement& placement)
+{
+  std::vector<HeartPhantomRod> placed;
+  const double scale = 1 / placement.voxel;
+  for (const TaperedRod& rod : rods)
+  {
+    placed.push_back({ (rod.from - placement.corner) * scale, (rod.to - placement.corner) * scale,
+                       2 * rod.fromRadius * scale, 2 * rod.toRadius * scale });
+  }
+  return placed;
 }
 
 Result<HeartPhantomReport> CountMaterials(const LabelImage& labels, int bloodComponents, Monitor& monitor)
@@ -242,8 +270,9 @@ Result<HeartPhantomReport> MakeHeartPhantom(GreyImage& grey, LabelImage& labels,
   labels.grid = GridOf(placement, options);
   labels.labels.assign(labels.grid.Count(), 0);
   PartialVolume partial(labels.grid.Count());
+  std::vector<HeartPart> parts(labels.grid.Count());
   monitor.Progress(0.1, "sampling the heart");
-  SampleShape(shape, placement, labels, partial, monitor);
+  SampleShape(shape, placement, labels, parts, partial, monitor);
   if (monitor.Cancelled())
   {
     return Cancelled();
@@ -258,6 +287,10 @@ Result<HeartPhantomReport> MakeHeartPhantom(GreyImage& grey, LabelImage& labels,
     return report.GetError();
   }
   report->mendedVoxels = mended;
+  MendParts(labels, parts);
+  report->parts = std::move(parts);
+  report->coronaries = InVoxels(shape.GetCoronaries(), placement);
+  report->strands = InVoxels(shape.GetStrands(), placement);
   monitor.Progress(0.6, "making grey values");
   if (!MakeGreyValues(labels, partial, options, grey, monitor))
   {

@@ -5,6 +5,7 @@
 #include "../Base/Monitor.h"
 #include "../Base/Result.h"
 #include "../Mesh/LabelImage.h"
+#include "HeartShape.h"
 
 namespace lamina
 {
@@ -30,9 +31,21 @@ struct HeartPhantomMaterial
   Id components = 0; ///< over faces, counted
 };
 
+/// A rod in the image, in continuous voxel indices.
+struct HeartPhantomRod
+{
+  Vec3 from;
+  Vec3 to;
+  double fromDiameter = 0; ///< in voxels
+  double toDiameter = 0;
+};
+
 struct HeartPhantomReport
 {
   std::vector<HeartPhantomMaterial> materials; ///< background, tissue, blood
+  std::vector<HeartPart> parts;                ///< one a voxel: which part of the heart it is
+  std::vector<HeartPhantomRod> coronaries;     ///< as designed, each vessel from its root on
+  std::vector<HeartPhantomRod> strands;        ///< as designed: papillary muscles, chordae, tendons
   Id mendedVoxels = 0; ///< made tissue because materials met in an edge or a corner only
 };
 

@@ -163,18 +163,34 @@ HeartSample HeartShape::Sample(const Vec3& point, const Nearby& nearby) const
     chambers.heart = SmoothLesser(chambers.heart, vessel - 2.6 * this->Voxel, 3);
   }
   double chamber = std::min(chambers.left, chambers.right);
+  const bool hollow = chamber < 0;
+  HeartPart solid = HeartPart::Wall;
   if (this->Level == HeartLevel::Whole && chamber < 3 * this->Voxel)
   {
-    double inside = this->SampleLeaflets(point);
+    const double leaflets = this->SampleLeaflets(point);
+    double inside = leaflets;
     for (const TaperedRod& rod : nearby.strands)
     {
       inside = SmoothLesser(inside, RodDistance(point, rod.from, rod.to, rod.fromRadius, rod.toRadius),
                             1.2 * this->Voxel);
     }
     chamber = SmoothGreater(chamber, -inside, 2 * this->Voxel);
+    if (hollow)
+    {
+      solid = inside < leaflets ? HeartPart::Strand : HeartPart::Leaflet;
+    }
   }
   chamber = std::max(chamber, 4 * this->Voxel - vessel);
-  return { chambers.heart, std::min(chamber, vessel) };
+  HeartSample sample{ chambers.heart, std::min(chamber, vessel), HeartPart::Outside };
+  if (sample.blood < 0)
+  {
+    sample.part = vessel < chamber ? HeartPart::Coronary : HeartPart::Chamber;
+  }
+  else if (sample.heart < 0)
+  {
+    sample.part = solid;
+  }
+  return sample;
 }
 
 HeartShape::Nearby HeartShape::Near(const Vec3& centre, double radius) const

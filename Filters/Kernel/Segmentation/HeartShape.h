@@ -19,12 +19,24 @@ struct TaperedRod
   int bloodComponent = 0; ///< coronaries: which tree
 };
 
+/// What a point of the heart belongs to.
+enum class HeartPart : unsigned char
+{
+  Outside = 0,
+  Wall = 1,    ///< tissue: walls, septa, papillary muscles' roots
+  Leaflet = 2, ///< tissue: of a valve
+  Strand = 3,  ///< tissue: papillary muscle, chorda or tendon, free in the blood
+  Chamber = 4, ///< blood: chambers and great vessels
+  Coronary = 5 ///< blood
+};
+
 /// Signed distances, negative inside, about metric near the surfaces (heart units: 1/112 of the heart's
 /// length).
 struct HeartSample
 {
   double heart = 0; ///< to the outside of the whole heart
   double blood = 0; ///< to the blood of chambers, vessels and coronaries
+  HeartPart part = HeartPart::Outside;
 };
 
 /// What a heart is made of; each level has all of the one before.
@@ -55,6 +67,8 @@ public:
 
   /// The corners of a box around the whole heart (open vessels count up to where they would be closed).
   void Bounds(Vec3& least, Vec3& greatest) const;
+  const std::vector<TaperedRod>& GetCoronaries() const { return this->Coronaries; }
+  const std::vector<TaperedRod>& GetStrands() const { return this->Strands; }
   /// The number of bodies of blood that the shape is made of.
   int BloodComponents() const
   {

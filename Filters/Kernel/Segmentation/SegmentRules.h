@@ -14,24 +14,45 @@ namespace segment
 constexpr int Outside = -1;
 /// Between the thresholds of tissue and blood.
 constexpr int Undecided = -2;
+/// A flag of the work only: a rule decided on this voxel, not its own grey value.
+constexpr unsigned char MadeByRule = 128;
+
+/// Mean and standard deviation of the grey values of one class; count 0 where it has none.
+struct ClassValues
+{
+  double mean = 0;
+  double deviation = 0;
+  Id count = 0;
+};
 
 /// What the rules work on.
 struct Work
 {
-  const GreyImage& grey;
+  GreyView grey; ///< smoothed; empty once all voxels are decided
   const SegmentOptions& options;
-  std::vector<int>& labels;
-  std::vector<unsigned char>& disputed;
+  LabelImage& image;
+  std::vector<int>& labels; ///< those of `image`
+  std::vector<unsigned char>& flags;
   SegmentReport& report;
+  std::vector<ClassValues> classes; ///< by material, of the voxels inside it
+  std::vector<Id> voxels;           ///< by material, as last counted
 
-  const std::array<Id, 3>& Size() const { return this->grey.grid.size; }
+  const std::array<Id, 3>& Size() const { return this->image.grid.size; }
   Id Count() const { return static_cast<Id>(this->labels.size()); }
-  /// True if blood and tissue have their meaning: two or three thresholds.
-  bool HasBlood() const
+  bool HasDisputed() const { return this->options.thresholds.size() == 3; }
+  int Materials() const
   {
-    return this->options.thresholds.size() == 2 || this->options.thresholds.size() == 3;
+    return this->HasDisputed() ? 3 : static_cast<int>(this->options.thresholds.size()) + 1;
   }
+  /// True if walls of tissue stand between blood and background.
+  bool HasWalls() const;
+  /// True if the two materials may not touch.
+  bool IsForbidden(int first, int second) const;
+  /// The forbidden pairs that count for this number of thresholds.
+  std::vector<std::array<int, 2>> Forbidden() const;
   void Note(const char* rule, int material, Id components, Id voxels);
+  /// Count the voxels of each material, and warn of those that the rule just done with took the last of.
+  void Recount(const char* rule, Monitor& monitor);
 };
 
 /// Call visit(neighbour) for each voxel of the 26 around `voxel` that lies in the image.
@@ -56,18 +77,25 @@ void ForEachNeighbour26(const std::array<Id, 3>& size, Id voxel, const Visit& vi
   }
 }
 
-inline bool IsAtBorder(const std::array<Id, 3>& size, Id voxel)
-{
-  const Id i = voxel % size[0];
-  const Id j = (voxel / size[0]) % size[1];
-  const Id k = voxel / (size[0] * size[1]);
-  return i == 0 || j == 0 || k == 0 || i == size[0] - 1 || j == size[1] - 1 || k == size[2] - 1;
-}
-
+/// What cannot be segmented, before any work. The image's range goes into the report.
+Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentReport& report,
+                   Monitor& monitor);
+/// The deviation of the noise, from second differences inside the classes: the least of those that have any.
+double EstimateNoise(const GreyView& grey, const SegmentOptions& options, const SegmentReport& report);
+/// The image without its noise, in memory of its own; the same view where there is no noise or no smoothing.
+GreyView Smoothed(const GreyView& grey, const SegmentOptions& options, SegmentReport& report,
+                  Monitor& monitor);
 /// Thresholds and mask to classes.
 void Classify(Work& work, Monitor& monitor);
-/// Undecided voxels: enclosed groups, thin vessels, then the likelier material.
+/// The grey values of each class, away from its borders.
+void MeasureClasses(Work& work, Monitor& monitor);
+/// Undecided voxels: enclosed groups, thin vessels, then the likelier material, or the nearest class.
 void ResolveUndecided(Work& work, Monitor& monitor);
+/// The share of blood, 0 to 1, in each of `voxels` (undecided, ascending) by a random walk from the decided
+/// voxels around them.
+std::vector<double> WalkToBlood(const Work& work, const std::vector<Id>& voxels, Monitor& monitor);
+/// Voxels of a shell between two materials go to the nearer of the two.
+void DissolveSkins(Work& work, Monitor& monitor);
 /// Background that touches blood becomes tissue; blood at a closed border becomes tissue. Returns the voxels
 /// changed.
 Id BuildWalls(Work& work, Monitor& monitor);
@@ -80,6 +108,13 @@ struct IslandLimits
 IslandLimits MakeIslandLimits(const Work& work);
 /// Give small components to the neighbours with most faces in common. Returns the voxels changed.
 Id RemoveIslands(Work& work, const IslandLimits& limits, Monitor& monitor);
+
+/// Repair the topology. Returns the voxels changed.
+Id Repair(Work& work, Monitor& monitor);
+/// Flag the voxels that stand in a fault.
+void FlagFaults(Work& work, Monitor& monitor);
+/// Betti numbers of the materials as they are, undecided voxels by the nearest mean.
+std::vector<BettiNumbers> CountBetti(Work& work, Monitor& monitor);
 
 } // namespace segment
 } // namespace lamina
