@@ -295,6 +295,47 @@ TEST(SegmentReport, TellsWhichRuleTookTheLastOfAMaterial)
              "material 2 vanished: its last 8 voxels went by the rule \"island given to its neighbour\""));
 }
 
+TEST(SegmentReport, TellsOfClassesThatWereNeverThere)
+{
+  SegmentOptions options;
+  options.thresholds = { 50, 60, 150, 170 };
+  const Outcome outcome = Segmented(Heart(), options);
+  ASSERT_EQ(outcome.error, "");
+  ASSERT_EQ(outcome.report.warnings.size(), 2u);
+  EXPECT_TRUE(Contains(outcome.report.warnings[0], "material 1 has no voxel between its thresholds"));
+  EXPECT_TRUE(Contains(outcome.report.warnings[1], "material 3 has no voxel"));
+}
+
+TEST(SegmentClasses, ThereMayBeVeryMany)
+{
+  GreyImage image = Cube(20, 0);
+  for (std::size_t v = 0; v < image.values.size(); ++v)
+  {
+    image.values[v] = static_cast<double>(v / 8);
+  }
+  SegmentOptions options = Bare();
+  options.dissolveSkins = false;
+  options.thresholds.clear();
+  for (int t = 1; t < 1000; ++t)
+  {
+    options.thresholds.push_back(t);
+  }
+  const Outcome outcome = Segmented(image, options);
+  ASSERT_EQ(outcome.error, "");
+  EXPECT_EQ(outcome.report.after.size(), 1000u);
+  for (std::size_t v = 0; v < image.values.size(); ++v)
+  {
+    ASSERT_EQ(outcome.labels.labels[v], static_cast<int>(v / 8));
+  }
+  options.thresholds.clear();
+  for (int t = 1; t <= 65536; ++t)
+  {
+    options.thresholds.push_back(t * 0.01);
+  }
+  EXPECT_TRUE(
+    Contains(Segmented(image, options).error, "65536 thresholds would make materials beyond 65535"));
+}
+
 TEST(SegmentReport, BettiNumbersBeforeAndAfter)
 {
   GreyImage image = Heart();

@@ -55,6 +55,10 @@ def scenes():
                     json.dumps({"shape": "sphere", "center": middle, "radius": 0.1 * size, "to": 2})]
     edited.UpdatePipeline()
     yield "ReassignVoxels", image_slice(edited), ("POINTS", "MaterialIds"), False
+    noisy = simple.HeartPhantom(Resolution=64, Noise=25)
+    flagged = simple.MultimaterialSegmentation(Input=noisy)
+    flagged.UpdatePipeline()
+    yield "SegmentationFlags", image_slice(flagged), ("POINTS", "Disputed"), False
     stages = tiny.pipeline()
     yield "MultimaterialMarchingCubes", stages["surface"], None, True
     yield "VolumeConservingSmoothing", stages["smooth"], None, True

@@ -100,6 +100,15 @@ using segment::Work;
 
 void NoteClasses(Work& work)
 {
+  for (int m = 0; m < work.Materials(); ++m)
+  {
+    if (work.voxels[m] == 0)
+    {
+      work.report.warnings.push_back(
+        "material " + std::to_string(m) +
+        " has no voxel between its thresholds, after smoothing and inside the mask");
+    }
+  }
   Id inside = 0;
   for (int m = 0; m < work.Materials(); ++m)
   {
