@@ -78,21 +78,40 @@ std::vector<SliceImage> Blend(const std::vector<Carried>& carried)
   return blended;
 }
 
-/// The pixels within the band around any region's border.
-Box BandBox(const std::vector<SliceImage>& distances)
+/// For each region, the pixels that not all sources put far to the same side of its border.
+std::vector<std::vector<char>> FindContested(const std::vector<Carried>& carried)
 {
-  const SliceImage& first = distances.front();
-  Box box{ first.width, 0, first.height, 0 };
-  for (const SliceImage& distance : distances)
+  std::vector<std::vector<char>> contested;
+  for (std::size_t r = 0; r < carried.front().distances.size(); ++r)
   {
-    for (Id p = 0; p < distance.Count(); ++p)
+    contested.emplace_back(carried.front().distances[r].values.size());
+    for (std::size_t p = 0; p < contested[r].size(); ++p)
     {
-      if (std::abs(distance.values[static_cast<std::size_t>(p)]) < Band)
+      float least = Band;
+      float greatest = -Band;
+      for (const Carried& source : carried)
       {
-        box.x0 = std::min(box.x0, p % first.width);
-        box.x1 = std::max(box.x1, p % first.width + 1);
-        box.y0 = std::min(box.y0, p / first.width);
-        box.y1 = std::max(box.y1, p / first.width + 1);
+        least = std::min(least, source.distances[r].values[p]);
+        greatest = std::max(greatest, source.distances[r].values[p]);
+      }
+      contested[r][p] = least < Band && greatest > -Band;
+    }
+  }
+  return contested;
+}
+
+Box BoxOf(const std::vector<std::vector<char>>& contested, Id width)
+{
+  Box box{ width, 0, static_cast<Id>(contested.front().size()) / width, 0 };
+  for (const std::vector<char>& pixels : contested)
+  {
+    for (std::size_t p = 0; p < pixels.size(); ++p)
+    {
+      if (pixels[p])
+      {
+        const Id x = static_cast<Id>(p) % width;
+        const Id y = static_cast<Id>(p) / width;
+        box = { std::min(box.x0, x), std::max(box.x1, x + 1), std::min(box.y0, y), std::max(box.y1, y + 1) };
       }
     }
   }
@@ -232,8 +251,9 @@ std::vector<SliceImage> Vote(const SliceGrid& grid, const SliceImage& target, do
   return votes;
 }
 
-/// Replace distances by votes and a bit of themselves, within the band; far away they are sure.
-void Correct(std::vector<SliceImage>& distances, const std::vector<SliceImage>& votes)
+/// Replace distances by votes and a bit of themselves where the side is contested; elsewhere they are sure.
+void Correct(std::vector<SliceImage>& distances, const std::vector<SliceImage>& votes,
+             const std::vector<std::vector<char>>& contested)
 {
   for (std::size_t r = 0; r < distances.size(); ++r)
   {
@@ -241,7 +261,7 @@ void Correct(std::vector<SliceImage>& distances, const std::vector<SliceImage>& 
     {
       float& d = distances[r].values[p];
       const float sure = std::min(1.0F, std::max(-1.0F, d / PriorReach));
-      d = std::abs(d) < Band ? PriorWeight * sure + votes[r].values[p] : 2 * sure;
+      d = contested[r][p] ? PriorWeight * sure + votes[r].values[p] : 2 * sure;
     }
   }
 }
@@ -305,10 +325,11 @@ CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double 
   }
   if (method == CarryMethod::GreyValues)
   {
-    const Box box = BandBox(distances);
+    const std::vector<std::vector<char>> contested = FindContested(carried);
+    const Box box = BoxOf(contested, grid.width);
     if (!box.IsEmpty())
     {
-      Correct(distances, Vote(grid, *grey, noise, carried, box));
+      Correct(distances, Vote(grid, *grey, noise, carried, box), contested);
     }
   }
   result.labels = ChooseLabels(distances, ids);
