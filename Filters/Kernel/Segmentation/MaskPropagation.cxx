@@ -72,6 +72,11 @@ Result<Done> CheckImages(const GreyImage& grey, const LabelImage& mask)
   return Done{};
 }
 
+Id FirstOf(const CarryWork& work, const MaskPropagationOptions& options)
+{
+  return options.firstSlice[static_cast<std::size_t>(work.grid.axis)];
+}
+
 /// Find what was drawn and what is to be filled.
 Result<Done> Prepare(const LabelImage& mask, const MaskPropagationOptions& options, CarryWork& work,
                      MaskPropagationReport& report, Monitor& monitor)
@@ -83,7 +88,8 @@ Result<Done> Prepare(const LabelImage& mask, const MaskPropagationOptions& optio
   }
   work.ids = *ids;
   work.grid = SliceGrid(mask.grid, options.axis == 3 ? FindDrawnAxis(mask, *ids) : options.axis);
-  const Result<std::vector<Id>> slices = FindDrawnSlices(work.grid, mask, *ids, options.drawnSlices);
+  const Result<std::vector<Id>> slices =
+    FindDrawnSlices(work.grid, mask, *ids, options.drawnSlices, FirstOf(work, options));
   if (!slices)
   {
     return slices.GetError();
@@ -107,7 +113,10 @@ Result<Done> Prepare(const LabelImage& mask, const MaskPropagationOptions& optio
   work.registration.smoothness = options.smoothness;
   work.registration.searchRange = options.searchRange;
   report.axis = work.grid.axis;
-  report.drawn = *slices;
+  for (const Id slice : *slices)
+  {
+    report.drawn.push_back(slice + FirstOf(work, options));
+  }
   report.ids = work.ids;
   return Done{};
 }
@@ -163,7 +172,7 @@ void WriteSlice(const SliceGrid& grid, Id slice, const std::vector<unsigned shor
 }
 
 /// Write the slices of all gaps by the chosen method, and report on them.
-void WriteGaps(const CarryWork& work, const std::vector<GapSlices>& made, std::size_t method,
+void WriteGaps(const CarryWork& work, const std::vector<GapSlices>& made, std::size_t method, Id first,
                LabelImage& full, MaskPropagationReport& report)
 {
   double sum = 0;
@@ -172,16 +181,20 @@ void WriteGaps(const CarryWork& work, const std::vector<GapSlices>& made, std::s
   for (std::size_t g = 0; g < work.gaps.size(); ++g)
   {
     const MaskGap& gap = work.gaps[g];
-    const auto sliceOf = [&](Id index) { return index >= 0 ? work.Drawn(index)->slice : -1; };
+    const Id from = work.Drawn(gap.low >= 0 ? gap.low : gap.high)->slice;
+    const Id to = work.Drawn(gap.high >= 0 ? gap.high : gap.low)->slice;
     for (std::size_t n = 0; n < made[g].labels[method].size(); ++n)
     {
       const std::vector<unsigned short>& labels = made[g].labels[method][n];
-      PropagatedSlice slice{ gap.first + static_cast<Id>(n), sliceOf(gap.low), sliceOf(gap.high), 0, 0 };
+      PropagatedSlice slice{ gap.first + static_cast<Id>(n), from, to, 0, 0 };
       slice.voxels = static_cast<Id>(labels.size()) - std::count(labels.begin(), labels.end(), 0);
       slice.residual = made[g].residuals[method][n] * contrast;
       sum += slice.residual;
       unregistered += made[g].residuals[0].empty() ? 0 : made[g].residuals[0][n] * contrast;
       WriteSlice(work.grid, slice.slice, labels, full);
+      slice.slice += first;
+      slice.from += first;
+      slice.to += first;
       report.slices.push_back(slice);
     }
   }
@@ -190,7 +203,8 @@ void WriteGaps(const CarryWork& work, const std::vector<GapSlices>& made, std::s
   report.unregisteredResidual = unregistered / count;
 }
 
-void WarnOfPoorForetelling(const CarryWork& work, const Foretold& foretold, MaskPropagationReport& report)
+void WarnOfPoorForetelling(const CarryWork& work, const Foretold& foretold, Id first,
+                           MaskPropagationReport& report)
 {
   const double dice = foretold.dice[static_cast<std::size_t>(report.method - 1)];
   if (dice < PoorDice)
@@ -198,7 +212,7 @@ void WarnOfPoorForetelling(const CarryWork& work, const Foretold& foretold, Mask
     report.warnings.push_back(
       "the drawn slices hardly foretell each other (Dice coefficient " + std::to_string(dice).substr(0, 4) +
       "): the mask in between is doubtful; draw more slices, first around slice " +
-      std::to_string(foretold.worst) + " across axis " + std::string(1, "ijk"[work.grid.axis]));
+      std::to_string(foretold.worst + first) + " across axis " + std::string(1, "ijk"[work.grid.axis]));
   }
 }
 
@@ -264,8 +278,8 @@ Result<MaskPropagationReport> PropagateMask(const GreyImage& grey, const LabelIm
   {
     WriteSlice(work.grid, drawn.slice, { drawn.labels.begin(), drawn.labels.end() }, full);
   }
-  WriteGaps(work, made, static_cast<std::size_t>(chosen), full, report);
-  WarnOfPoorForetelling(work, foretold, report);
+  WriteGaps(work, made, static_cast<std::size_t>(chosen), FirstOf(work, options), full, report);
+  WarnOfPoorForetelling(work, foretold, FirstOf(work, options), report);
   return report;
 }
 

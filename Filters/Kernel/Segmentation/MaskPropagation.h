@@ -16,8 +16,10 @@ struct MaskPropagationOptions
 {
   /// Across which axis the mask was drawn: 0 i, 1 j, 2 k, 3 the one along which drawn slices are sparse.
   int axis = 3;
-  /// Slices that were drawn, from 0; also empty ones. None: all with a voxel of the mask.
+  /// Slices that were drawn; also empty ones. None: all with a voxel of the mask.
   std::vector<Id> drawnSlices;
+  /// The number of the first slice across i, j, k: in the list above, the report and messages.
+  std::array<Id, 3> firstSlice{ { 0, 0, 0 } };
   /// The value that is the mask; 0: every value but 0 is a region of its own.
   int maskValue = 0;
   /// How many slices beyond the first and the last drawn one the mask is carried, at least 0. -1: the mask
@@ -36,8 +38,8 @@ struct MaskPropagationOptions
 struct PropagatedSlice
 {
   Id slice = 0;
-  Id from = -1; ///< drawn slices it comes from; -1: none on that side
-  Id to = -1;
+  Id from = 0; ///< drawn slices it comes from, below and above; the same beyond the first and the last
+  Id to = 0;
   Id voxels = 0;
   double residual = 0; ///< mean absolute grey difference from what was carried there, around the mask
 };

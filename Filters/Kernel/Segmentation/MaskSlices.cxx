@@ -135,7 +135,7 @@ int FindDrawnAxis(const LabelImage& mask, const std::vector<int>& ids)
 }
 
 Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage& mask,
-                                        const std::vector<int>& ids, const std::vector<Id>& listed)
+                                        const std::vector<int>& ids, const std::vector<Id>& listed, Id first)
 {
   const std::vector<char> has = HasVoxels(grid, mask, ids);
   std::vector<Id> drawn;
@@ -150,19 +150,21 @@ Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage&
     }
     return drawn;
   }
-  drawn = listed;
-  std::sort(drawn.begin(), drawn.end());
-  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
   bool any = false;
-  for (const Id k : drawn)
+  for (const Id number : listed)
   {
+    const Id k = number - first;
     if (k < 0 || k >= grid.slices)
     {
-      return InvalidOption("drawn slice " + std::to_string(k) +
-                           " is outside the image: its slices are 0 to " + std::to_string(grid.slices - 1));
+      return InvalidOption("drawn slice " + std::to_string(number) + " is outside the image: across axis " +
+                           std::string(1, "ijk"[grid.axis]) + " its slices are " + std::to_string(first) +
+                           " to " + std::to_string(first + grid.slices - 1));
     }
+    drawn.push_back(k);
     any = any || has[static_cast<std::size_t>(k)];
   }
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
   if (!any)
   {
     return InvalidInput("no slice is drawn: the mask is 0 on all slices that are listed across axis " +

@@ -16,9 +16,10 @@ Result<std::vector<int>> FindRegions(const LabelImage& mask, int maskValue);
 /// k.
 int FindDrawnAxis(const LabelImage& mask, const std::vector<int>& ids);
 
-/// The slices with a voxel of the regions, or those listed, ascending; a failure if all are empty.
+/// The slices with a voxel of the regions, or those listed, ascending from 0; a failure if all are empty.
+/// `first`: the number of the first slice in `listed`.
 Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage& mask,
-                                        const std::vector<int>& ids, const std::vector<Id>& listed);
+                                        const std::vector<int>& ids, const std::vector<Id>& listed, Id first);
 
 /// Slices [first, last] that were not drawn, and the drawn ones (indices) before and after; -1 if none.
 struct MaskGap
