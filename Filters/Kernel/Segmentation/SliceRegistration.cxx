@@ -112,7 +112,9 @@ SliceImage Covariance(const SliceImage& a, const SliceImage& b, const SliceImage
   return product;
 }
 
-Moments MeasureMoments(const SliceImage& fixed, const SliceImage& warped, const PixelShape& shape)
+/// `warped` is the moving slice by `field`; pixels that come from outside it do not count.
+Moments MeasureMoments(const SliceImage& fixed, const SliceImage& warped, const SliceField& field,
+                       const PixelShape& shape)
 {
   const Id w = fixed.width;
   const Id h = fixed.height;
@@ -137,6 +139,16 @@ Moments MeasureMoments(const SliceImage& fixed, const SliceImage& warped, const 
                     (shape.x * static_cast<float>(std::max<Id>(1, right - left)));
       gy.At(x, y) = (both.At(x, above) - both.At(x, below)) /
                     (shape.y * static_cast<float>(std::max<Id>(1, above - below)));
+    }
+  }
+  for (Id p = 0; p < d.Count(); ++p)
+  {
+    const std::size_t n = static_cast<std::size_t>(p);
+    const float x = static_cast<float>(p % w) + field.dx.values[n];
+    const float y = static_cast<float>(p / w) + field.dy.values[n];
+    if (x < 0 || y < 0 || x > static_cast<float>(w - 1) || y > static_cast<float>(h - 1))
+    {
+      gx.values[n] = gy.values[n] = d.values[n] = 0;
     }
   }
   const SliceImage mx = Blur(gx, Window, shape);
@@ -166,7 +178,7 @@ void Step(const Level& level, const SliceImage& fixed, const SliceImage& moving,
           const SliceRegistrationOptions& options, SliceField& field)
 {
   const PixelShape shape = level.Relative();
-  const Moments m = MeasureMoments(fixed, Warp(moving, field), shape);
+  const Moments m = MeasureMoments(fixed, Warp(moving, field), field, shape);
   const float variance = static_cast<float>(std::max(1e-6, options.noise * options.noise));
   const float range = static_cast<float>(options.searchRange) / level.Unit();
   SliceImage trust(fixed.width, fixed.height);
