@@ -17,6 +17,7 @@ constexpr float LevelBlur = 0.7F;   ///< of the slices before they are compared
 constexpr float Window = 2;         ///< standard deviation of the neighbourhood that is compared
 constexpr int Steps = 4;            ///< Gauss-Newton steps a level
 constexpr float LongestStep = 1;    ///< pixels: beyond, the linear model is worth little
+constexpr float LeastMass = 1e-3F;  ///< share of a window below which it is nothing
 constexpr float Damping = 0.02F;    ///< of the steps, relative to structure and to noise
 constexpr float Doubt = 0.1F;       ///< structure, in units of the noise's variance, that counts half
 
@@ -87,8 +88,8 @@ SliceImage Refined(const SliceImage& coarse, const SliceImage& like, bool alongX
   return fine;
 }
 
-/// Sums over each pixel's window that a Gauss-Newton step needs: covariances of the gradient (gx, gy) and the
-/// difference d.
+/// Sums over each pixel's window that a Gauss-Newton step needs: of the squares and products of the gradient
+/// (gx, gy) and the difference d, less those of their means.
 struct Moments
 {
   SliceImage xx;
@@ -98,16 +99,23 @@ struct Moments
   SliceImage yd;
 };
 
-SliceImage Covariance(const SliceImage& a, const SliceImage& b, const SliceImage& meanA,
-                      const SliceImage& meanB, const PixelShape& shape)
+/// A quantity, and its sum over each pixel's window.
+struct Summed
 {
-  SliceImage product(a.width, a.height);
-  std::transform(a.values.begin(), a.values.end(), b.values.begin(), product.values.begin(),
+  const SliceImage& value;
+  SliceImage sum;
+};
+
+/// `mass`: the share of each pixel's window that counts.
+SliceImage Covariance(const Summed& a, const Summed& b, const SliceImage& mass, const PixelShape& shape)
+{
+  SliceImage product(mass.width, mass.height);
+  std::transform(a.value.values.begin(), a.value.values.end(), b.value.values.begin(), product.values.begin(),
                  std::multiplies<float>());
   product = Blur(product, Window, shape);
   for (std::size_t p = 0; p < product.values.size(); ++p)
   {
-    product.values[p] -= meanA.values[p] * meanB.values[p];
+    product.values[p] -= a.sum.values[p] * b.sum.values[p] / std::max(mass.values[p], LeastMass);
   }
   return product;
 }
@@ -141,6 +149,7 @@ Moments MeasureMoments(const SliceImage& fixed, const SliceImage& warped, const 
                     (shape.y * static_cast<float>(std::max<Id>(1, above - below)));
     }
   }
+  SliceImage mass(w, h, 1);
   for (Id p = 0; p < d.Count(); ++p)
   {
     const std::size_t n = static_cast<std::size_t>(p);
@@ -148,15 +157,15 @@ Moments MeasureMoments(const SliceImage& fixed, const SliceImage& warped, const 
     const float y = static_cast<float>(p / w) + field.dy.values[n];
     if (x < 0 || y < 0 || x > static_cast<float>(w - 1) || y > static_cast<float>(h - 1))
     {
-      gx.values[n] = gy.values[n] = d.values[n] = 0;
+      gx.values[n] = gy.values[n] = d.values[n] = mass.values[n] = 0;
     }
   }
-  const SliceImage mx = Blur(gx, Window, shape);
-  const SliceImage my = Blur(gy, Window, shape);
-  const SliceImage md = Blur(d, Window, shape);
-  return { Covariance(gx, gx, mx, mx, shape), Covariance(gx, gy, mx, my, shape),
-           Covariance(gy, gy, my, my, shape), Covariance(gx, d, mx, md, shape),
-           Covariance(gy, d, my, md, shape) };
+  mass = Blur(mass, Window, shape);
+  const Summed sx{ gx, Blur(gx, Window, shape) };
+  const Summed sy{ gy, Blur(gy, Window, shape) };
+  const Summed sd{ d, Blur(d, Window, shape) };
+  return { Covariance(sx, sx, mass, shape), Covariance(sx, sy, mass, shape), Covariance(sy, sy, mass, shape),
+           Covariance(sx, sd, mass, shape), Covariance(sy, sd, mass, shape) };
 }
 
 /// Even the field out, places of structure first: the mean over a Gaussian reach, weighted by trust.
