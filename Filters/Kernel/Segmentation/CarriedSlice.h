@@ -37,9 +37,8 @@ struct CarriedSlice
 /// the one whose border is farther takes the pixel, at a tie the one of lesser id.
 ///
 /// GreyValues: a pixel near the border looks at the carried slices within three pixels of itself, and takes
-/// the side of the border that the patches (3 x 3 pixels) like its own lie on: non-local label fusion after
-/// P. Coupe, J. V. Manjon, V. Fonov, J. Pruessner, M. Robles and D. L. Collins, Patch-based segmentation
-/// using expert priors, NeuroImage 54 (2011). Where no side is likelier the blended distance decides.
+/// the side of the border that the patches (3 x 3 pixels) like its own lie on (PatchVotes.h). Where no side
+/// is likelier the blended distance decides.
 CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double noise,
                           const std::vector<CarriedSource>& sources, const std::vector<int>& ids,
                           CarryMethod method);
