@@ -264,6 +264,10 @@ Result<MaskPropagationReport> PropagateMask(const GreyImage& grey, const LabelIm
   PrepareGrey(grey, options.method, work, report, monitor);
   std::vector<GapSlices> made;
   const std::vector<GapEnds> ends = FillGaps(work, made, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   const Foretold foretold = ForetellDrawn(work, ends, monitor);
   if (monitor.Cancelled())
   {
