@@ -190,7 +190,8 @@ void WriteGaps(const CarryWork& work, const std::vector<GapSlices>& made, std::s
       slice.voxels = static_cast<Id>(labels.size()) - std::count(labels.begin(), labels.end(), 0);
       slice.residual = made[g].residuals[method][n] * contrast;
       sum += slice.residual;
-      unregistered += made[g].residuals[0].empty() ? 0 : made[g].residuals[0][n] * contrast;
+      unregistered += made[g].residuals[0].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                   : made[g].residuals[0][n] * contrast;
       WriteSlice(work.grid, slice.slice, labels, full);
       slice.slice += first;
       slice.from += first;

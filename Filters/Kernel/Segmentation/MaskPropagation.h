@@ -53,7 +53,7 @@ struct MaskPropagationReport
   /// Dice coefficients of drawn slices with what each method makes of their neighbours; NaN: not measured.
   std::array<double, 3> foretold{};
   double residual = 0;             ///< mean of the slices'
-  double unregisteredResidual = 0; ///< the same without displacements
+  double unregisteredResidual = 0; ///< the same without displacements; NaN: not measured
   double noise = 0;                ///< of the grey values around the mask
   std::vector<PropagatedSlice> slices;
   std::vector<std::string> warnings;
