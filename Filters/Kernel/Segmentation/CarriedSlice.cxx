@@ -2,6 +2,7 @@
 #include "CarriedSlice.h"
 
 #include "PatchVotes.h"
+#include "Specks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ namespace lamina
 namespace
 {
 
+constexpr Id LeastPart = 5;         ///< pixels
 constexpr float ResidualMargin = 3; ///< pixels around the regions where slices are compared
 
 Carried Carry(const CarriedSource& source, CarryMethod method)
@@ -95,6 +97,21 @@ std::vector<int> ChooseLabels(const std::vector<SliceImage>& distances, const st
   return labels;
 }
 
+/// The smallest islands and holes are noise, unless the drawn slices have some as small.
+void CleanUp(const SliceGrid& grid, const std::vector<CarriedSource>& sources, const std::vector<int>& ids,
+             std::vector<int>& labels)
+{
+  std::vector<Id> least(ids.size() + 1, LeastPart);
+  for (const CarriedSource& source : sources)
+  {
+    for (std::size_t r = 0; r < least.size(); ++r)
+    {
+      least[r] = std::min(least[r], source.drawn->smallest[r]);
+    }
+  }
+  RemoveSpecks(labels, grid.width, ids, least);
+}
+
 } // namespace
 
 CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double noise,
@@ -117,6 +134,10 @@ CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double 
     CorrectByPatches(grid, *grey, noise, carried, distances);
   }
   result.labels = ChooseLabels(distances, ids);
+  if (method == CarryMethod::GreyValues)
+  {
+    CleanUp(grid, sources, ids, result.labels);
+  }
   return result;
 }
 

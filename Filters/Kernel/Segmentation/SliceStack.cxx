@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SliceStack.h"
 
+#include "Specks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -163,6 +165,7 @@ DrawnSlice ReadDrawnSlice(const SliceGrid& grid, const LabelImage& mask, const s
     drawn.empty = drawn.empty && !wanted;
   }
   MeasureDistances(grid, ids, drawn);
+  drawn.smallest = SmallestParts(drawn.labels, grid.width, ids);
   return drawn;
 }
 
@@ -173,6 +176,7 @@ DrawnSlice EmptySlice(const SliceGrid& grid, const std::vector<int>& ids, Id sli
   empty.assumed = true;
   empty.labels.assign(static_cast<std::size_t>(grid.width * grid.height), 0);
   MeasureDistances(grid, ids, empty);
+  empty.smallest = SmallestParts(empty.labels, grid.width, ids);
   return empty;
 }
 

@@ -35,6 +35,7 @@ struct DrawnSlice
   std::vector<int> labels;
   /// Signed distances: of all regions together, then, if there are several, of each in the order of the ids.
   std::vector<SliceImage> distances;
+  std::vector<Id> smallest;  ///< pixels of the smallest parts, see SmallestParts()
   std::vector<float> depths; ///< for each, the greatest distance inside, in pixels; 0 where it is absent
 };
 
