@@ -81,15 +81,20 @@ Id FirstOf(const CarryWork& work, const MaskPropagationOptions& options)
 Result<Done> Prepare(const LabelImage& mask, const MaskPropagationOptions& options, CarryWork& work,
                      MaskPropagationReport& report, Monitor& monitor)
 {
-  const Result<std::vector<int>> ids = FindRegions(mask, options.maskValue);
+  const Result<std::vector<int>> ids = FindRegions(mask, options.maskValue, monitor);
   if (!ids)
   {
     return ids.GetError();
   }
   work.ids = *ids;
-  work.grid = SliceGrid(mask.grid, options.axis == 3 ? FindDrawnAxis(mask, *ids) : options.axis);
+  const SliceFlags flags = FindSlices(mask, *ids, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  work.grid = SliceGrid(mask.grid, options.axis == 3 ? FindDrawnAxis(flags) : options.axis);
   const Result<std::vector<Id>> slices =
-    FindDrawnSlices(work.grid, mask, *ids, options.drawnSlices, FirstOf(work, options));
+    FindDrawnSlices(flags, work.grid.axis, options.drawnSlices, FirstOf(work, options));
   if (!slices)
   {
     return slices.GetError();

@@ -11,26 +11,48 @@ namespace
 
 constexpr std::size_t MostRegions = 64;
 
-/// For each slice across an axis, whether it has a voxel of the regions.
-std::vector<char> HasVoxels(const SliceGrid& grid, const LabelImage& mask, const std::vector<int>& ids)
+/// Put `value` into an ascending list.
+void Insert(std::vector<int>& values, int value)
 {
-  std::vector<char> has(static_cast<std::size_t>(grid.slices), 0);
-  std::array<Id, 3> index;
-  std::size_t v = 0;
-  for (index[2] = 0; index[2] < grid.size[2]; ++index[2])
+  const auto place = std::lower_bound(values.begin(), values.end(), value);
+  if (place == values.end() || *place != value)
   {
-    for (index[1] = 0; index[1] < grid.size[1]; ++index[1])
+    values.insert(place, value);
+  }
+}
+
+/// All values but 0, or the one that is asked for, ascending; of too many only some.
+std::vector<int> FindValues(const LabelImage& mask, int only, Monitor& monitor)
+{
+  const Id area = mask.grid.size[0] * mask.grid.size[1];
+  std::vector<std::vector<int>> ofSlice(static_cast<std::size_t>(mask.grid.size[2]));
+  monitor.For(mask.grid.size[2], 1,
+              [&](Id begin, Id end)
+              {
+                for (Id k = begin; k < end; ++k)
+                {
+                  int last = 0; // masks are long runs of the same value
+                  std::vector<int>& values = ofSlice[static_cast<std::size_t>(k)];
+                  for (Id v = k * area; v < (k + 1) * area && values.size() <= MostRegions; ++v)
+                  {
+                    const int label = mask.labels[static_cast<std::size_t>(v)];
+                    if (label != 0 && label != last && (only == 0 || label == only))
+                    {
+                      Insert(values, label);
+                    }
+                    last = label;
+                  }
+                }
+              });
+  std::vector<int> values;
+  for (const std::vector<int>& some : ofSlice)
+  {
+    for (const int value : some)
     {
-      for (index[0] = 0; index[0] < grid.size[0]; ++index[0], ++v)
-      {
-        if (mask.labels[v] != 0 && std::binary_search(ids.begin(), ids.end(), mask.labels[v]))
-        {
-          has[static_cast<std::size_t>(index[static_cast<std::size_t>(grid.axis)])] = 1;
-        }
-      }
+      Insert(values, value);
     }
   }
-  return has;
+  return values;
 }
 
 struct Occurrence
@@ -65,56 +87,77 @@ bool EndsBeforeNext(Id maximumSlices, Id next, Id room)
 
 } // namespace
 
-Result<std::vector<int>> FindRegions(const LabelImage& mask, int maskValue)
+Result<std::vector<int>> FindRegions(const LabelImage& mask, int maskValue, Monitor& monitor)
 {
-  std::vector<int> values;
-  for (const int label : mask.labels)
+  std::vector<int> values = FindValues(mask, maskValue, monitor);
+  const bool missing = values.empty() && maskValue != 0;
+  if (missing)
   {
-    // Masks are long runs of the same value.
-    if (label == 0 || (!values.empty() && label == values.back()))
-    {
-      continue;
-    }
-    const auto place = std::lower_bound(values.begin(), values.end(), label);
-    if (place == values.end() || *place != label)
-    {
-      values.insert(place, label);
-      if (values.size() > 65535)
-      {
-        break;
-      }
-    }
+    values = FindValues(mask, 0, monitor);
+  }
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
   }
   if (values.empty())
   {
     return InvalidInput("no slice is drawn: the mask is 0 everywhere");
   }
-  if (maskValue != 0)
+  if (missing)
   {
-    if (!std::binary_search(values.begin(), values.end(), maskValue))
-    {
-      return InvalidInput("no slice is drawn: the mask is " + std::to_string(maskValue) +
-                          " nowhere; its values are from " + std::to_string(values.front()) + " to " +
-                          std::to_string(values.back()));
-    }
-    return std::vector<int>{ maskValue };
+    return InvalidInput("no slice is drawn: the mask is " + std::to_string(maskValue) +
+                        " nowhere; it has the value " + std::to_string(values.front()) +
+                        (values.size() > 1 ? " and others" : ""));
   }
   if (values.size() > MostRegions)
   {
-    return InvalidInput("the mask has " + std::to_string(values.size()) + " different values, at most " +
-                        std::to_string(MostRegions) +
-                        " regions are carried: choose one with MaskValue, or is this a grey image?");
+    return InvalidInput("the mask has more than " + std::to_string(MostRegions) +
+                        " different values: choose one with MaskValue, or is this a grey image?");
   }
   return values;
 }
 
-int FindDrawnAxis(const LabelImage& mask, const std::vector<int>& ids)
+SliceFlags FindSlices(const LabelImage& mask, const std::vector<int>& ids, Monitor& monitor)
+{
+  const auto& size = mask.grid.size;
+  const auto length = [&](std::size_t axis) { return static_cast<std::size_t>(size[axis]); };
+  // Each slice across k has flags of its own for i and j, so that threads do not meet.
+  std::vector<char> alongI(length(0) * length(2), 0);
+  std::vector<char> alongJ(length(1) * length(2), 0);
+  SliceFlags flags{ { std::vector<char>(length(0), 0), std::vector<char>(length(1), 0),
+                      std::vector<char>(length(2), 0) } };
+  monitor.For(size[2], 1,
+              [&](Id begin, Id end)
+              {
+                for (Id v = begin * size[0] * size[1]; v < end * size[0] * size[1]; ++v)
+                {
+                  const int label = mask.labels[static_cast<std::size_t>(v)];
+                  if (label != 0 && std::binary_search(ids.begin(), ids.end(), label))
+                  {
+                    const Id k = v / (size[0] * size[1]);
+                    alongI[static_cast<std::size_t>(k * size[0] + v % size[0])] = 1;
+                    alongJ[static_cast<std::size_t>(k * size[1] + v / size[0] % size[1])] = 1;
+                    flags[2][static_cast<std::size_t>(k)] = 1;
+                  }
+                }
+              });
+  for (std::size_t n = 0; n < alongI.size(); ++n)
+  {
+    flags[0][n % length(0)] |= alongI[n];
+  }
+  for (std::size_t n = 0; n < alongJ.size(); ++n)
+  {
+    flags[1][n % length(1)] |= alongJ[n];
+  }
+  return flags;
+}
+
+int FindDrawnAxis(const SliceFlags& flags)
 {
   std::array<Occurrence, 3> found;
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    found[static_cast<std::size_t>(axis)] =
-      MeasureOccurrence(HasVoxels(SliceGrid(mask.grid, axis), mask, ids));
+    found[axis] = MeasureOccurrence(flags[axis]);
   }
   int best = 2;
   for (const int axis : { 1, 0 })
@@ -134,14 +177,15 @@ int FindDrawnAxis(const LabelImage& mask, const std::vector<int>& ids)
   return best;
 }
 
-Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage& mask,
-                                        const std::vector<int>& ids, const std::vector<Id>& listed, Id first)
+Result<std::vector<Id>> FindDrawnSlices(const SliceFlags& flags, int axis, const std::vector<Id>& listed,
+                                        Id first)
 {
-  const std::vector<char> has = HasVoxels(grid, mask, ids);
+  const std::vector<char>& has = flags[static_cast<std::size_t>(axis)];
+  const Id slices = static_cast<Id>(has.size());
   std::vector<Id> drawn;
   if (listed.empty())
   {
-    for (Id k = 0; k < grid.slices; ++k)
+    for (Id k = 0; k < slices; ++k)
     {
       if (has[static_cast<std::size_t>(k)])
       {
@@ -154,11 +198,11 @@ Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage&
   for (const Id number : listed)
   {
     const Id k = number - first;
-    if (k < 0 || k >= grid.slices)
+    if (k < 0 || k >= slices)
     {
       return InvalidOption("drawn slice " + std::to_string(number) + " is outside the image: across axis " +
-                           std::string(1, "ijk"[grid.axis]) + " its slices are " + std::to_string(first) +
-                           " to " + std::to_string(first + grid.slices - 1));
+                           std::string(1, "ijk"[axis]) + " its slices are " + std::to_string(first) + " to " +
+                           std::to_string(first + slices - 1));
     }
     drawn.push_back(k);
     any = any || has[static_cast<std::size_t>(k)];
@@ -168,7 +212,7 @@ Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage&
   if (!any)
   {
     return InvalidInput("no slice is drawn: the mask is 0 on all slices that are listed across axis " +
-                        std::string(1, "ijk"[grid.axis]));
+                        std::string(1, "ijk"[axis]));
   }
   return drawn;
 }

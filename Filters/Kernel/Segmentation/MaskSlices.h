@@ -9,17 +9,21 @@ namespace lamina
 {
 
 /// The regions that count, ascending; a failure if there are none or too many.
-Result<std::vector<int>> FindRegions(const LabelImage& mask, int maskValue);
+Result<std::vector<int>> FindRegions(const LabelImage& mask, int maskValue, Monitor& monitor);
+
+/// Across i, j, k: for each slice, 1 if it has a voxel of the regions.
+using SliceFlags = std::array<std::vector<char>, 3>;
+SliceFlags FindSlices(const LabelImage& mask, const std::vector<int>& ids, Monitor& monitor);
 
 /// The axis across which the mask was drawn: that with the greatest share of slices left out between the
 /// first and the last drawn one; if none was left out, that with far fewer drawn slices than the others; else
 /// k.
-int FindDrawnAxis(const LabelImage& mask, const std::vector<int>& ids);
+int FindDrawnAxis(const SliceFlags& flags);
 
-/// The slices with a voxel of the regions, or those listed, ascending from 0; a failure if all are empty.
+/// The slices that are flagged, or those listed, ascending from 0; a failure if no flagged one is listed.
 /// `first`: the number of the first slice in `listed`.
-Result<std::vector<Id>> FindDrawnSlices(const SliceGrid& grid, const LabelImage& mask,
-                                        const std::vector<int>& ids, const std::vector<Id>& listed, Id first);
+Result<std::vector<Id>> FindDrawnSlices(const SliceFlags& flags, int axis, const std::vector<Id>& listed,
+                                        Id first);
 
 /// Slices [first, last] that were not drawn, and the drawn ones (indices) before and after; -1 if none.
 struct MaskGap
