@@ -11,6 +11,7 @@ namespace names
 constexpr const char* MaterialIds = "MaterialIds";
 constexpr const char* Disputed = "Disputed";
 constexpr const char* Intensity = "Intensity";
+constexpr const char* Mask = "Mask";
 
 // Surfaces: triangles.
 constexpr const char* BoundaryLabels = "BoundaryLabels";
