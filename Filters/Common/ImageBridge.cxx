@@ -224,6 +224,18 @@ Result<GreyView> ViewGrey(vtkImageData* image, vtkDataArray* scalars)
                       array->GetDataTypeAsString());
 }
 
+Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars)
+{
+  const Result<GreyView> view = ViewGrey(image, scalars);
+  if (!view)
+  {
+    return view.GetError();
+  }
+  GreyImage grey{ view->grid, std::vector<double>(static_cast<std::size_t>(view->Count())) };
+  view->Read(0, view->Count(), grey.values.data());
+  return grey;
+}
+
 Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image)
 {
   const Result<GridGeometry> grid = ReadGeometry(mask);

@@ -27,6 +27,8 @@ Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars);
 /// Grey values of any number type where they lie in the array, which must outlive the view; NaN means that
 /// nothing is known there.
 Result<GreyView> ViewGrey(vtkImageData* image, vtkDataArray* scalars);
+/// The same in a copy of doubles, for work that goes over few values again and again.
+Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars);
 /// A region of interest of the same grid as `image` (size, and place in the world to half a voxel): inside
 /// where the mask's values are 1, as other values mark regions that are of no interest.
 Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image);

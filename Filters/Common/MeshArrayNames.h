@@ -12,6 +12,7 @@ constexpr const char* MaterialIds = "MaterialIds";
 constexpr const char* Disputed = "Disputed";
 constexpr const char* Intensity = "Intensity";
 constexpr const char* Parts = "Parts";
+constexpr const char* Mask = "Mask";
 
 // Surfaces: triangles.
 constexpr const char* BoundaryLabels = "BoundaryLabels";

@@ -11,6 +11,8 @@ import sys
 
 import tiny
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -39,6 +41,19 @@ def image_slice(source, port=0):
     return middle
 
 
+def drawn_mask(phantom):
+    """The phantom's true heart on every eighth slice."""
+    mask = vtkImageData()
+    mask.DeepCopy(phantom.GetClientSideObject().GetOutputDataObject(1))
+    values = vtk_to_numpy(mask.GetPointData().GetScalars()).reshape(mask.GetDimensions()[::-1])
+    values[values > 0] = 1
+    for k in range(len(values)):
+        values[k] *= k % 8 == 4
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(mask)
+    return source
+
+
 def scenes():
     """Name, what to show, the array that colours it, whether edges are drawn."""
     phantom = simple.HeartPhantom(Resolution=48)
@@ -59,6 +74,9 @@ def scenes():
     flagged = simple.MultimaterialSegmentation(Input=noisy)
     flagged.UpdatePipeline()
     yield "SegmentationFlags", image_slice(flagged), ("POINTS", "Disputed"), False
+    propagated = simple.PropagateMask(Input=phantom, Mask=drawn_mask(phantom))
+    propagated.UpdatePipeline()
+    yield "PropagateMask", image_slice(propagated), ("POINTS", "Mask"), False
     stages = tiny.pipeline()
     yield "MultimaterialMarchingCubes", stages["surface"], None, True
     yield "VolumeConservingSmoothing", stages["smooth"], None, True

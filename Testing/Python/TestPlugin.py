@@ -16,7 +16,7 @@ simple.LoadPlugin(os.environ["LAMINA_PLUGIN"], remote=False)
 
 EXPECTED = {
     "MultimaterialMarchingCubes", "VolumeConservingSmoothing", "FeatureSize", "SurfaceRefinement", "LayeredTetrahedra",
-    "PrismLayer", "CoreTetrahedra", "FluidSolidMesh", "MeshAudit",
+    "PrismLayer", "CoreTetrahedra", "FluidSolidMesh", "MeshAudit", "PropagateMask",
 }
 
 
