@@ -350,6 +350,17 @@ TEST(SegmentReport, BettiNumbersBeforeAndAfter)
   EXPECT_EQ(outcome.Of(0).b2, 1);
 }
 
+TEST(SegmentMonitor, StopsOnRequest)
+{
+  LabelImage labels;
+  std::vector<unsigned char> flags;
+  ThreadMonitor monitor(2);
+  monitor.Cancel();
+  const auto report = Segment(Heart(), labels, flags, {}, monitor);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.GetError().kind, Failure::Cancelled);
+}
+
 TEST(SegmentView, ValuesAreReadWhereTheyLie)
 {
   const GreyImage image = Heart();
