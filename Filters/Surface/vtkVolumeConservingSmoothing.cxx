@@ -53,6 +53,7 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
     options.sweeps = this->Sweeps;
     options.relaxation = this->Relaxation;
     options.largestDrift = this->LargestDrift;
+    options.wavelength = this->Wavelength;
     const auto report = lamina::SmoothSurface(*surface, options, monitor);
     if (!report)
     {
@@ -75,4 +76,5 @@ void vtkVolumeConservingSmoothing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "Relaxation: " << this->Relaxation << "\n";
   os << indent << "LargestDrift: " << this->LargestDrift << "\n";
+  os << indent << "Wavelength: " << this->Wavelength << "\n";
 }

@@ -12,7 +12,10 @@
  *
  * Edge relaxation that conserves volume: A. Kuprat, A. Khamayseh, D. George and L. Larkey, Volume conserving
  * smoothing for piecewise linear curves, surfaces, and triple lines, J. Comput. Phys. 172 (2001) 99-118,
- * doi:10.1006/jcph.2001.6816.
+ * doi:10.1006/jcph.2001.6816. Relaxations pass volume between neighbours only, so long flat steps of a
+ * slightly tilted plane would need hundreds of sweeps: waves up to a length are levelled by implicit fairing
+ * (M. Desbrun, M. Meyer, P. Schroeder and A. H. Barr, SIGGRAPH 1999) between the sweeps, inside the same
+ * bounds.
  *
  * The volume of each material changes by less than 1e-10 of itself. No two triangles intersect afterwards,
  * tested exactly. Points of junction curves and of border planes stay on them. The result does not depend on
@@ -62,6 +65,15 @@ public:
   vtkGetMacro(LargestDrift, double);
   ///@}
 
+  ///@{
+  /**
+   * Waves up to about this length, in mean edge lengths, are levelled between the sweeps; 0 to 100, 0: none.
+   * Longer ones than the staircase's take features with them. Default: 10.
+   */
+  vtkSetMacro(Wavelength, double);
+  vtkGetMacro(Wavelength, double);
+  ///@}
+
 protected:
   vtkVolumeConservingSmoothing() = default;
   ~vtkVolumeConservingSmoothing() override = default;
@@ -75,6 +87,7 @@ private:
   int Sweeps = 20;
   double Relaxation = 1.0;
   double LargestDrift = 0.75;
+  double Wavelength = 10;
 };
 
 #endif

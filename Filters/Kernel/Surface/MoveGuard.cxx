@@ -14,6 +14,8 @@ constexpr double leastTurnCosine =
 constexpr double wideOpening = -0.5; ///< neighbours that open 120 degrees: two turns of 35 leave them at 50
 constexpr double leastShape = 0.08;  ///< twice the area over the longest edge squared
 constexpr double leastGrowth = 0.05; ///< of area over the square of the moves
+/// Averages over neighbours that make normals of the surface from those of voxel faces.
+constexpr int normalPasses = 2;
 constexpr double flattestFold =
   -0.7; ///< cosine between neighbours' directions: no dihedral below about 45 degrees
 
@@ -31,6 +33,17 @@ MoveGuard::MoveGuard(const SmoothingState& state, double largestDrift)
     for (Id p : t)
     {
       this->OriginNormal[static_cast<std::size_t>(p)] += area;
+    }
+  }
+  for (int pass = 0; pass < normalPasses; ++pass)
+  {
+    const std::vector<Vec3> before = this->OriginNormal;
+    for (std::size_t p = 0; p < before.size(); ++p)
+    {
+      for (Id q : Row(state.ring, static_cast<Id>(p)))
+      {
+        this->OriginNormal[p] += before[static_cast<std::size_t>(q)];
+      }
     }
   }
   for (Vec3& n : this->OriginNormal)
@@ -96,6 +109,23 @@ bool MoveGuard::StaysNear(Id p, const Vec3& place) const
          Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
 }
 
+bool MoveGuard::Keeps(Id t, const Vec3& a, const Vec3& b, const Vec3& c) const
+{
+  const Vec3 area = Cross(b - a, c - a);
+  const double size2 = Norm2(area);
+  const double along = Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]);
+  const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
+  return along >= 0 && along * along >= leastTurnCosine * leastTurnCosine * size2 &&
+         size2 >= leastShape * leastShape * longest2 * longest2;
+}
+
+bool MoveGuard::KeepsTriangle(Id t) const
+{
+  const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(t)];
+  const auto x = [&](Id p) { return this->State.surface.points[static_cast<std::size_t>(p)]; };
+  return this->Keeps(t, x(tri[0]), x(tri[1]), x(tri[2]));
+}
+
 bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r, double& growth) const
 {
   for (Id t : Row(this->State.star, p))
@@ -104,16 +134,11 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r, double& growth) const
     const Vec3 a = this->Place(tri[0], r);
     const Vec3 b = this->Place(tri[1], r);
     const Vec3 c = this->Place(tri[2], r);
-    const Vec3 area = Cross(b - a, c - a);
-    const double size2 = Norm2(area);
-    const double along = Dot(area, this->AnchorNormal[static_cast<std::size_t>(t)]);
     if (p == r.a || (tri[0] != r.a && tri[1] != r.a && tri[2] != r.a)) // each triangle once
     {
-      growth += std::sqrt(size2) - Norm(AreaVector2(this->State.surface.points, tri));
+      growth += Norm(Cross(b - a, c - a)) - Norm(AreaVector2(this->State.surface.points, tri));
     }
-    const double longest2 = std::max({ Norm2(b - a), Norm2(c - b), Norm2(a - c) });
-    if (along < 0 || along * along < leastTurnCosine * leastTurnCosine * size2 ||
-        size2 < leastShape * leastShape * longest2 * longest2)
+    if (!this->Keeps(t, a, b, c))
     {
       return false;
     }

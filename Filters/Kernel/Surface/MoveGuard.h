@@ -18,11 +18,17 @@ public:
   /// Begin a phase at the present positions with the given ball radii.
   void StartPhase(std::vector<double> radii);
   bool Allows(const Relaxation& relaxation) const;
+  /// Whether `place` lies where point p may be in this phase.
+  bool StaysNear(Id p, const Vec3& place) const;
+  /// Whether a triangle keeps direction and shape where its points are now.
+  bool KeepsTriangle(Id t) const;
+  /// Whether the angles at a triangle's edges must be watched: no step may move its points unseen.
+  bool IsSharp(Id t) const { return this->Sharp[static_cast<std::size_t>(t)] != 0; }
   const std::vector<Vec3>& PhaseStart() const { return this->Anchor; }
 
 private:
   bool OpensWide(Id edge) const;
-  bool StaysNear(Id p, const Vec3& place) const;
+  bool Keeps(Id t, const Vec3& a, const Vec3& b, const Vec3& c) const;
   Vec3 Place(Id p, const Relaxation& r) const;
   bool KeepsTriangles(Id p, const Relaxation& r, double& growth) const;
   bool KeepsAngles(Id t, const Relaxation& r) const;

@@ -13,6 +13,9 @@ struct SmoothSurfaceOptions
 {
   int sweeps = 20;         ///< passes over all edges, 0 or more
   double relaxation = 1.0; ///< share of the Laplacian move, (0, 1]
+  /// Waves of the sheets up to about this length, in mean edge lengths, are levelled between the sweeps; 0:
+  /// none.
+  double wavelength = 10;
   double largestDrift =
     0.75; ///< farthest a point may end from its start along the starting normal, in mean edge lengths
 };

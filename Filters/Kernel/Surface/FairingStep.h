@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The step that levels long waves, inside the bounds of a phase of smoothing.
+#pragma once
+
+#include "../Base/Monitor.h"
+#include "MoveGuard.h"
+
+namespace lamina
+{
+
+/// Levels the waves of the sheets that edge relaxations, which pass volume from neighbour to neighbour only,
+/// would need hundreds of sweeps for. The moves add up to no volume over half a wavelength, to first order.
+/// Points of curves, of border planes, at sharp edges and where the surface curves more sharply than the
+/// waves stay: so do strands and rims. A point that would leave its bounds or turn a triangle too far goes
+/// less far or not at all. Returns a flag for each point that stayed: leave it out when the rest of the
+/// volumes is restored.
+std::vector<char> LevelWaves(SmoothingState& state, const MoveGuard& guard, double wavelength,
+                             Monitor& monitor);
+
+} // namespace lamina
