@@ -21,6 +21,8 @@ using Window = std::bitset<WindowVoxels>;
 constexpr std::size_t LargeFragment = 14;
 constexpr std::size_t SmallBody = 40;
 constexpr double CostOfNewContact = 3;
+/// For each face more between unlike voxels: a rough border makes a poor surface.
+constexpr double CostOfRoughness = 0.08;
 /// The last change that closes a wall parts what touched across its edges: hardly a cut.
 constexpr double ShareOfClosing = 0.1;
 /// Where nothing else tells them apart, the label with more neighbours gives way.
@@ -173,6 +175,11 @@ double RepairCost::Of(const LabelChange& change, const RepairPrices& prices)
   if (CountBits(losing) < CountBits(around.With(change.to)))
   {
     cost += CostOfMinority;
+  }
+  for (const std::size_t n : { 4, 10, 12, 14, 16, 22 })
+  {
+    cost +=
+      CostOfRoughness * ((around.labels[n] == change.from ? 1 : 0) - (around.labels[n] == change.to ? 1 : 0));
   }
   for (std::size_t n = 0; n < 27; ++n)
   {

@@ -25,7 +25,7 @@ struct RepairPrices
 };
 
 /// Prices at which walls and vessels of one voxel are thickened, not cut.
-constexpr RepairPrices CarefulPrices{ 3.5, 3.5 };
+constexpr RepairPrices CarefulPrices{ 4.5, 4.5 };
 
 /// Prices changes by what they do to the image as it came, whatever the order in which they are made.
 ///

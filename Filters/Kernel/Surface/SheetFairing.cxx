@@ -91,7 +91,7 @@ std::vector<double> SheetFairing::System::Solve(Matrix& system, Eigen::VectorXd&
     }
   }
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-9);
+  solver.setTolerance(1e-6);
   solver.setMaxIterations(1000);
   solver.compute(system);
   const Eigen::VectorXd solution = solver.solve(right);
