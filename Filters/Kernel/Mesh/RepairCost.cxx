@@ -59,8 +59,39 @@ Window Grow(const Window& set)
   return grown;
 }
 
+/// The image as it came.
+class OriginalView
+{
+public:
+  OriginalView(const LabelLattice& lattice, const FirstLabels& labels)
+    : Lattice(lattice)
+    , Labels(labels)
+  {
+  }
+  int Label(const Place& v) const
+  {
+    return this->Lattice.IsVoxel(v) ? this->Labels.Of(this->Lattice.VoxelIndex(v)) : 0;
+  }
+  bool IsVoxel(const Place& v) const { return this->Lattice.IsVoxel(v); }
+  /// The 26 neighbours that carry a label.
+  Neighbourhood With(const Place& v, int label) const
+  {
+    Neighbourhood set = 0;
+    for (Id n = 0; n < 27; ++n)
+    {
+      const Place next{ v[0] + n % 3 - 1, v[1] + n / 3 % 3 - 1, v[2] + n / 9 - 1 };
+      set |= this->Label(next) == label ? 1u << n : 0u;
+    }
+    return set & ~(1u << 13);
+  }
+
+private:
+  const LabelLattice& Lattice;
+  const FirstLabels& Labels;
+};
+
 /// The second largest piece, over faces and within the window, of those that share a face with the voxel.
-std::size_t SecondPiece(const LabelLattice& lattice, const Place& voxel, int label)
+std::size_t SecondPiece(const OriginalView& original, const Place& voxel, int label)
 {
   Window left;
   std::size_t n = 0;
@@ -71,7 +102,7 @@ std::size_t SecondPiece(const LabelLattice& lattice, const Place& voxel, int lab
       for (Id di = -3; di <= 3; ++di, ++n)
       {
         left[n] =
-          n != WindowMiddle && lattice.Label({ voxel[0] + di, voxel[1] + dj, voxel[2] + dk }) == label;
+          n != WindowMiddle && original.Label({ voxel[0] + di, voxel[1] + dj, voxel[2] + dk }) == label;
       }
     }
   }
@@ -108,19 +139,19 @@ int CountBits(Neighbourhood set)
 }
 
 /// 0: only fragments are joined; 1: bodies are.
-double Joined(const LabelLattice& lattice, const Place& voxel, int label)
+double Joined(const OriginalView& original, const Place& voxel, int label)
 {
-  if (PiecesOverFaces(lattice.Around(voxel).With(label)) < 2)
+  if (PiecesOverFaces(original.With(voxel, label)) < 2)
   {
     return 0;
   }
-  const double size = static_cast<double>(SecondPiece(lattice, voxel, label));
+  const double size = static_cast<double>(SecondPiece(original, voxel, label));
   return std::min(1.0, std::max(0.0, (size - static_cast<double>(LargeFragment)) /
                                        static_cast<double>(SmallBody - LargeFragment)));
 }
 
 /// Whether a voxel with one neighbour of its label is the end of something longer than the two.
-bool IsTip(const LabelLattice& lattice, const Place& voxel, Neighbourhood neighbour, int label)
+bool IsTip(const OriginalView& original, const Place& voxel, Neighbourhood neighbour, int label)
 {
   Id n = 0;
   while (!((neighbour >> n) & 1u))
@@ -128,13 +159,13 @@ bool IsTip(const LabelLattice& lattice, const Place& voxel, Neighbourhood neighb
     ++n;
   }
   const Place next{ voxel[0] + n % 3 - 1, voxel[1] + n / 3 % 3 - 1, voxel[2] + n / 9 - 1 };
-  return lattice.IsVoxel(next) && CountBits(lattice.Around(next).With(label)) > 1;
+  return original.IsVoxel(next) && CountBits(original.With(next, label)) > 1;
 }
 
 /// Whether the label's neighbours of a voxel hang together by it alone, or it is the tip of a strand.
-bool Cuts(const LabelLattice& lattice, const Place& voxel, Neighbourhood losing, int label)
+bool Cuts(const OriginalView& original, const Place& voxel, Neighbourhood losing, int label)
 {
-  return PiecesOverCorners(losing) > 1 || (CountBits(losing) == 1 && IsTip(lattice, voxel, losing, label));
+  return PiecesOverCorners(losing) > 1 || (CountBits(losing) == 1 && IsTip(original, voxel, losing, label));
 }
 
 } // namespace
@@ -142,23 +173,24 @@ bool Cuts(const LabelLattice& lattice, const Place& voxel, Neighbourhood losing,
 const RepairCost::Harm& RepairCost::HarmOf(const LabelChange& change)
 {
   constexpr Id labels = 65536;
-  const auto inserted =
-    this->Harms.insert({ this->Lattice.VoxelIndex(change.voxel) * labels + change.to, Harm() });
-  Harm& harm = inserted.first->second;
-  if (inserted.second)
+  const Id key = this->Lattice.VoxelIndex(change.voxel) * labels + change.to;
+  const auto mixed = static_cast<unsigned long long>(key) * 0x9e3779b97f4a7c15ull;
+  Harm& harm = this->Harms[static_cast<std::size_t>(mixed >> 32) % HarmsKept];
+  if (harm.key != key)
   {
     // A voxel that a change gave this label before counts as it came, too.
-    const int first = this->Original.Label(change.voxel);
-    harm.joins = static_cast<float>(Joined(this->Original, change.voxel, change.to));
+    const OriginalView original(this->Lattice, this->Original);
+    const int first = original.Label(change.voxel);
+    harm.key = key;
+    harm.joins = static_cast<float>(Joined(original, change.voxel, change.to));
     harm.cuts = first != change.to &&
-                Cuts(this->Original, change.voxel, this->Original.Around(change.voxel).With(first), first);
+                Cuts(original, change.voxel, original.With(change.voxel, first), first);
   }
   return harm;
 }
 
-double RepairCost::Of(const LabelChange& change, const RepairPrices& prices)
+double RepairCost::Of(const LabelChange& change, const Surroundings& around, const RepairPrices& prices)
 {
-  const Surroundings around = this->Lattice.Around(change.voxel);
   const Harm& harm = this->HarmOf(change);
   const Neighbourhood losing = around.With(change.from);
   double cost = 1 + prices.join * static_cast<double>(harm.joins);

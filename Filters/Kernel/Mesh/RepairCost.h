@@ -2,10 +2,9 @@
 // What it costs to give a voxel another label: thin things may grow, not break.
 #pragma once
 
+#include "FirstLabels.h"
 #include "LabelLattice.h"
 #include "MaterialContacts.h"
-
-#include <unordered_map>
 
 namespace lamina
 {
@@ -35,30 +34,39 @@ class RepairCost
 {
 public:
   /// lattice: the image as it is now; original: as it came.
-  RepairCost(const LabelLattice& lattice, const LabelLattice& original, const MaterialContacts& known)
+  RepairCost(const LabelLattice& lattice, const FirstLabels& original, const MaterialContacts& known)
     : Lattice(lattice)
     , Original(original)
     , Known(known)
+    , Harms(HarmsKept)
   {
   }
 
   /// 1, joins and cuts at their prices, and more where materials would meet that touch nowhere. The voxel
   /// still has its old label.
-  double Of(const LabelChange& change, const RepairPrices& prices);
+  double Of(const LabelChange& change, const RepairPrices& prices)
+  {
+    return this->Of(change, this->Lattice.Around(change.voxel), prices);
+  }
+  /// The same, with what stands around the voxel now.
+  double Of(const LabelChange& change, const Surroundings& around, const RepairPrices& prices);
 
 private:
+  /// Neighbouring changes are priced again and again, distant ones never.
+  static constexpr std::size_t HarmsKept = 1 << 14;
   /// In the original: 0 to 1, how much a change joins; whether it cuts.
   struct Harm
   {
+    Id key = -1; ///< of voxel and new label
     float joins = 0;
     bool cuts = false;
   };
   const Harm& HarmOf(const LabelChange& change);
 
   const LabelLattice& Lattice;
-  const LabelLattice& Original;
+  const FirstLabels& Original;
   const MaterialContacts& Known;
-  std::unordered_map<Id, Harm> Harms; ///< by voxel and new label
+  std::vector<Harm> Harms; ///< each in the one slot of its key
 };
 
 } // namespace lamina
