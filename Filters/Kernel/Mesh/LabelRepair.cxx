@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelRepair.h"
 
-#include "VoxelFaults.h"
-
 #include <algorithm>
 #include <queue>
 #include <set>
@@ -29,9 +27,10 @@ constexpr int MostSearched = 4;
 constexpr double DearestThatKeeps = 1.5;
 constexpr Id StepsOfGroup = 3000;
 constexpr Id StepsOfPlace = 150;
+constexpr Id StepsInNoise = 40;
 /// For all places together: where searches find little, single changes do as well.
 constexpr Id StepsOfAllPlaces = 20000;
-constexpr Id StepsForEachFault = 10;
+constexpr Id StepsForEachFault = 3;
 constexpr Id StepsOfImprovement = 400;
 constexpr Id StepsOfAllImprovements = 20000;
 
@@ -206,22 +205,24 @@ void LabelRepair::MendGroup(const std::vector<Place>& group, Monitor& monitor)
     return;
   }
   const std::size_t begin = this->Log.size();
-  const std::size_t rough = this->Rough.size();
+  const std::size_t noted = this->Rough.size();
   const double spent = this->Spent;
-  const bool done = !IsNoise(group) && this->MendCarefully(group, monitor);
+  const bool noise = IsNoise(group);
+  const bool done = !noise && this->MendCarefully(group, monitor);
   const double careful = this->Spent - spent;
-  this->Rough.resize(rough);
+  this->Rough.resize(noted);
   const std::vector<LabelChange> changes = this->TakeBackFrom(begin);
   this->Spent = spent;
+  const Care rough{ {}, 1e300, noise ? StepsInNoise : StepsOfPlace };
   if (group.size() > ManyInGroup)
   {
-    this->MendGreedily(group, { {}, 1e300 }, monitor);
+    this->MendGreedily(group, rough, monitor);
   }
-  const bool mended = this->MendPlaces(group, begin, { {}, 1e300 }, monitor);
+  const bool mended = this->MendPlaces(group, begin, rough, monitor);
   if (done && (!mended || careful < this->Spent - spent))
   {
     this->TakeBackFrom(begin);
-    this->Rough.resize(rough);
+    this->Rough.resize(noted);
     for (const LabelChange& change : changes)
     {
       this->Set(change.voxel, change.to);
@@ -246,7 +247,7 @@ std::vector<LabelChange> LabelRepair::TakeBackFrom(std::size_t begin)
 /// end to end before any hole in it may be opened. False if that is not enough.
 bool LabelRepair::MendCarefully(const std::vector<Place>& group, Monitor& monitor)
 {
-  const Care care{ CarefulPrices, DearestThatKeeps };
+  const Care care{ CarefulPrices, DearestThatKeeps, StepsOfPlace };
   const std::size_t begin = this->Log.size();
   this->MendGreedily(group, care, monitor);
   return this->MendPlaces(group, begin, care, monitor);
@@ -276,6 +277,16 @@ bool LabelRepair::MendPlaces(const std::vector<Place>& group, std::size_t begin,
   return true;
 }
 
+bool LabelRepair::HasFaultyCorner(const Place& voxel) const
+{
+  bool any = false;
+  for (int q = 0; q < 8 && !any; ++q)
+  {
+    any = this->IsFaulty(LabelLattice::CornerOf(voxel, q));
+  }
+  return any;
+}
+
 /// The change of a voxel that mends most; score: faults after less before, and what it breaks. Above -1: none
 /// good.
 LabelChange LabelRepair::BestChange(const Place& voxel, const Care& care, double& score)
@@ -283,16 +294,15 @@ LabelChange LabelRepair::BestChange(const Place& voxel, const Care& care, double
   const int own = this->LabelOf(voxel);
   LabelChange best{ voxel, own, own };
   score = 0;
-  if (this->Lattice.IsFrozen(this->Lattice.VoxelIndex(voxel)))
+  if (this->Lattice.IsFrozen(this->Lattice.VoxelIndex(voxel)) || !this->HasFaultyCorner(voxel))
   {
     return best;
   }
-  const Surroundings around = this->Lattice.Around(voxel);
-  const VoxelFaults faults(around, this->Lattice.Faults());
+  const VoxelFaults faults(this->Lattice.Around(voxel), this->Lattice.Faults());
   const int before = faults.Now();
   std::array<std::pair<int, int>, 27> choices; // more faults, label
   std::size_t count = 0;
-  for (int n = 1; n < faults.LabelCount() && before > 0; ++n)
+  for (int n = 1; n < faults.LabelCount(); ++n)
   {
     const int label = faults.LabelAt(n);
     const int more = faults.With(label) - before;
@@ -305,7 +315,7 @@ LabelChange LabelRepair::BestChange(const Place& voxel, const Care& care, double
   // A change costs 1 at least, so the first that cannot be better ends the choice.
   for (std::size_t n = 0; n < count && (score > -1 || choices[n].first < score); ++n)
   {
-    const double cost = this->Cost.Of({ voxel, own, choices[n].second }, around, care.prices);
+    const double cost = this->Cost.Of({ voxel, own, choices[n].second }, faults, care.prices);
     const double value = choices[n].first + cost - 1;
     if (value <= -1 && value < score && cost <= care.dearest)
     {
@@ -467,7 +477,7 @@ bool LabelRepair::MendPlace(const Place& point, const Care& care)
     points.insert(points.begin(), point);
     const double count = static_cast<double>(points.size());
     const auto changes =
-      this->Search.Find(points, { 4 + 2 * count, StepsOfPlace, care.prices, care.dearest });
+      this->Search.Find(points, { 4 + 2 * count, care.steps, care.prices, care.dearest });
     this->PlaceSteps -= this->Search.StepsTaken();
     if (!changes.empty() && (best.empty() || this->Search.BestCostFound() / count < least))
     {
@@ -537,7 +547,7 @@ void LabelRepair::MendFrom(const Place& start, Monitor& monitor)
   {
     this->Log.clear();
     const Place point = work[next];
-    if (this->IsFaulty(point) && !this->MendPlace(point, { {}, 1e300 }))
+    if (this->IsFaulty(point) && !this->MendPlace(point, { {}, 1e300, StepsInNoise }))
     {
       this->Climb(point);
     }

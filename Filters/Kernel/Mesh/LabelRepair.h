@@ -35,6 +35,7 @@ private:
   {
     RepairPrices prices;
     double dearest;
+    Id steps; ///< of a search for one place
   };
 
   bool IsFaulty(const Place& point) const { return this->Faulty.At(point); }
@@ -43,6 +44,7 @@ private:
     return this->Image.labels[static_cast<std::size_t>(this->Lattice.VoxelIndex(v))];
   }
   std::vector<Place> FaultyNear(const Place& centre, Id distance, std::size_t most) const;
+  bool HasFaultyCorner(const Place& voxel) const;
   void Set(const Place& voxel, int label);
   void NoteRough(const Place& voxel);
   bool Apply(const std::vector<LabelChange>& changes);

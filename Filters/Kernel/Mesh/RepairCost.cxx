@@ -2,6 +2,7 @@
 #include "RepairCost.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 
 namespace lamina
@@ -11,11 +12,11 @@ namespace
 {
 
 using Place = LabelLattice::Place;
-/// Voxels of a 7x7x7 window, bit i + 7 j + 49 k.
-constexpr std::size_t WindowSize = 7;
-constexpr std::size_t WindowVoxels = WindowSize * WindowSize * WindowSize;
-constexpr std::size_t WindowMiddle = WindowVoxels / 2;
-using Window = std::bitset<WindowVoxels>;
+constexpr Id WindowSize = 7;
+constexpr Id Reach = WindowSize / 2;
+constexpr unsigned long long SlabVoxels = (1ull << (WindowSize * WindowSize)) - 1;
+/// Voxels of a 7x7x7 window, a word for each k, bit i + 7 j. The last word, empty, stands below and above.
+using Window = std::array<unsigned long long, WindowSize + 1>;
 
 /// A fragment of a diagonal wall reaches through the window as one row, or two; pieces of more are bodies.
 constexpr std::size_t LargeFragment = 14;
@@ -26,37 +27,46 @@ constexpr double ShareOfClosing = 0.1;
 /// Where nothing else tells them apart, the label with more neighbours gives way.
 constexpr double CostOfMinority = 0.05;
 
-struct WindowMasks
+/// The voxels of a slab whose i is the first, or the last.
+unsigned long long ColumnOf(Id i)
 {
-  Window first[3]; ///< voxels that have no neighbour below along the axis
-  Window last[3];
-
-  WindowMasks()
+  unsigned long long column = 0;
+  for (Id j = 0; j < WindowSize; ++j)
   {
-    for (std::size_t v = 0; v < WindowVoxels; ++v)
+    column |= 1ull << (i + WindowSize * j);
+  }
+  return column;
+}
+
+/// Grow a piece of `set` over faces until it is whole.
+void Grow(const Window& set, Window& piece)
+{
+  static const unsigned long long notFirst = SlabVoxels & ~ColumnOf(0);
+  static const unsigned long long notLast = SlabVoxels & ~ColumnOf(WindowSize - 1);
+  for (bool again = true; again;)
+  {
+    again = false;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(WindowSize); ++k)
     {
-      const std::size_t place[3] = { v % WindowSize, v / WindowSize % WindowSize,
-                                     v / (WindowSize * WindowSize) };
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        this->first[axis][v] = place[axis] == 0;
-        this->last[axis][v] = place[axis] == WindowSize - 1;
-      }
+      const unsigned long long own = piece[k];
+      const unsigned long long near = own | ((own & notLast) << 1) | ((own & notFirst) >> 1) |
+                                      (own << WindowSize) | (own >> WindowSize) |
+                                      piece[k == 0 ? static_cast<std::size_t>(WindowSize) : k - 1] |
+                                      piece[k + 1];
+      piece[k] = near & set[k];
+      again = again || piece[k] != own;
     }
   }
-};
+}
 
-Window Grow(const Window& set)
+std::size_t CountVoxels(const Window& set)
 {
-  static const WindowMasks masks;
-  constexpr std::size_t steps[3] = { 1, WindowSize, WindowSize * WindowSize };
-  Window grown = set;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::size_t count = 0;
+  for (const unsigned long long slab : set)
   {
-    grown |= (set & ~masks.last[axis]) << steps[axis];
-    grown |= (set & ~masks.first[axis]) >> steps[axis];
+    count += std::bitset<64>(slab).count();
   }
-  return grown;
+  return count;
 }
 
 /// The image as it came.
@@ -73,6 +83,21 @@ public:
     return this->Lattice.IsVoxel(v) ? this->Labels.Of(this->Lattice.VoxelIndex(v)) : 0;
   }
   bool IsVoxel(const Place& v) const { return this->Lattice.IsVoxel(v); }
+  /// Of seven voxels along i, those that carry a label.
+  unsigned RowWith(const Place& first, int label) const
+  {
+    const Place& size = this->Lattice.Size();
+    unsigned set = 0;
+    const bool inside = first[1] >= 0 && first[2] >= 0 && first[1] < size[1] && first[2] < size[2];
+    const Id row = inside ? this->Lattice.VoxelIndex(first) : 0;
+    for (Id n = 0; n < WindowSize; ++n)
+    {
+      const Id i = first[0] + n;
+      const int own = inside && i >= 0 && i < size[0] ? this->Labels.Of(row + n) : 0;
+      set |= own == label ? 1u << n : 0u;
+    }
+    return set;
+  }
   /// The 26 neighbours that carry a label.
   Neighbourhood With(const Place& v, int label) const
   {
@@ -90,38 +115,45 @@ private:
   const FirstLabels& Labels;
 };
 
+/// The voxels of a window that carry a label, but for the middle.
+Window WindowOf(const OriginalView& original, const Place& voxel, int label)
+{
+  Window window{};
+  for (Id k = 0; k < WindowSize; ++k)
+  {
+    unsigned long long slab = 0;
+    for (Id j = 0; j < WindowSize; ++j)
+    {
+      const Place first{ voxel[0] - Reach, voxel[1] + j - Reach, voxel[2] + k - Reach };
+      slab |= static_cast<unsigned long long>(original.RowWith(first, label)) << (WindowSize * j);
+    }
+    window[static_cast<std::size_t>(k)] = slab;
+  }
+  window[Reach] &= ~(1ull << (Reach + WindowSize * Reach));
+  return window;
+}
+
 /// The second largest piece, over faces and within the window, of those that share a face with the voxel.
 std::size_t SecondPiece(const OriginalView& original, const Place& voxel, int label)
 {
-  Window left;
-  std::size_t n = 0;
-  for (Id dk = -3; dk <= 3; ++dk)
-  {
-    for (Id dj = -3; dj <= 3; ++dj)
-    {
-      for (Id di = -3; di <= 3; ++di, ++n)
-      {
-        left[n] =
-          n != WindowMiddle && original.Label({ voxel[0] + di, voxel[1] + dj, voxel[2] + dk }) == label;
-      }
-    }
-  }
+  Window left = WindowOf(original, voxel, label);
   std::size_t sizes[2] = { 0, 0 };
-  for (const std::size_t seed : { WindowMiddle - 49, WindowMiddle - 7, WindowMiddle - 1, WindowMiddle + 1,
-                                  WindowMiddle + 7, WindowMiddle + 49 })
+  for (const Place& face : { Place{ 3, 3, 2 }, Place{ 3, 2, 3 }, Place{ 2, 3, 3 }, Place{ 4, 3, 3 },
+                             Place{ 3, 4, 3 }, Place{ 3, 3, 4 } })
   {
-    if (!left[seed])
+    const std::size_t slab = static_cast<std::size_t>(face[2]);
+    Window piece{};
+    piece[slab] = left[slab] & (1ull << (face[0] + WindowSize * face[1]));
+    if (piece[slab] == 0)
     {
       continue;
     }
-    Window piece;
-    piece[seed] = true;
-    for (Window grown = Grow(piece) & left; grown != piece; grown = Grow(piece) & left)
+    Grow(left, piece);
+    for (std::size_t k = 0; k < piece.size(); ++k)
     {
-      piece = grown;
+      left[k] &= ~piece[k];
     }
-    left &= ~piece;
-    const std::size_t size = piece.count();
+    const std::size_t size = CountVoxels(piece);
     sizes[1] = std::max(sizes[1], std::min(size, sizes[0]));
     sizes[0] = std::max(sizes[0], size);
   }
@@ -189,10 +221,10 @@ const RepairCost::Harm& RepairCost::HarmOf(const LabelChange& change)
   return harm;
 }
 
-double RepairCost::Of(const LabelChange& change, const Surroundings& around, const RepairPrices& prices)
+double RepairCost::Of(const LabelChange& change, const VoxelFaults& around, const RepairPrices& prices)
 {
   const Harm& harm = this->HarmOf(change);
-  const Neighbourhood losing = around.With(change.from);
+  const Neighbourhood losing = around.Others(change.from);
   double cost = 1 + prices.join * static_cast<double>(harm.joins);
   if (harm.cuts)
   {
@@ -202,13 +234,13 @@ double RepairCost::Of(const LabelChange& change, const Surroundings& around, con
   {
     cost += ShareOfClosing * prices.cut;
   }
-  if (CountBits(losing) < CountBits(around.With(change.to)))
+  if (CountBits(losing) < CountBits(around.Others(change.to)))
   {
     cost += CostOfMinority;
   }
-  for (std::size_t n = 0; n < 27; ++n)
+  for (int n = 1; n < around.LabelCount(); ++n)
   {
-    if (n != 13 && around.labels[n] != change.from && !this->Known.Touch(change.to, around.labels[n]))
+    if (!this->Known.Touch(change.to, around.LabelAt(n)))
     {
       return cost + CostOfNewContact;
     }

@@ -5,6 +5,7 @@
 #include "FirstLabels.h"
 #include "LabelLattice.h"
 #include "MaterialContacts.h"
+#include "VoxelFaults.h"
 
 namespace lamina
 {
@@ -46,10 +47,10 @@ public:
   /// still has its old label.
   double Of(const LabelChange& change, const RepairPrices& prices)
   {
-    return this->Of(change, this->Lattice.Around(change.voxel), prices);
+    return this->Of(change, { this->Lattice.Around(change.voxel), this->Lattice.Faults() }, prices);
   }
   /// The same, with what stands around the voxel now.
-  double Of(const LabelChange& change, const Surroundings& around, const RepairPrices& prices);
+  double Of(const LabelChange& change, const VoxelFaults& around, const RepairPrices& prices);
 
 private:
   /// Neighbouring changes are priced again and again, distant ones never.

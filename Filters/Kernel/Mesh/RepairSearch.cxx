@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RepairSearch.h"
 
-#include "VoxelFaults.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -68,8 +66,7 @@ std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point)
       continue;
     }
     const int own = block.labels[static_cast<std::size_t>(q)];
-    const Surroundings around = this->Lattice.Around(voxel);
-    const VoxelFaults faults(around, this->Lattice.Faults());
+    const VoxelFaults faults(this->Lattice.Around(voxel), this->Lattice.Faults());
     const int before = faults.Now();
     for (std::size_t p = 0; p < 8; ++p)
     {
@@ -80,7 +77,7 @@ std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point)
       {
         const LabelChange change{ voxel, own, label };
         options.push_back(
-          { change, this->Cost.Of(change, around, this->Now.prices), faults.With(label) - before });
+          { change, this->Cost.Of(change, faults, this->Now.prices), faults.With(label) - before });
       }
     }
   }

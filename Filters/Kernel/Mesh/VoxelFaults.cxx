@@ -35,6 +35,7 @@ VoxelFaults::VoxelFaults(const Surroundings& around, const FaultRules& rules)
   : Rules(rules)
 {
   this->Materials[0].label = around.labels[13];
+  this->Materials[0].voxels = 0;
   this->Count = 1;
   for (unsigned n = 0; n < 27; ++n)
   {
@@ -46,6 +47,7 @@ VoxelFaults::VoxelFaults(const Surroundings& around, const FaultRules& rules)
     if (m == static_cast<std::size_t>(this->Count))
     {
       this->Materials[m].label = around.labels[n];
+      this->Materials[m].voxels = 0;
       ++this->Count;
     }
     this->Materials[m].voxels |= 1u << n;

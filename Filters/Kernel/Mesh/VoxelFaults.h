@@ -20,19 +20,31 @@ public:
   int Now() const { return this->With(this->Materials[0].label); }
   /// The labels of the 27 voxels, that of the one in the middle first.
   int LabelCount() const { return this->Count; }
+  /// Which of the others carry a label.
+  Neighbourhood Others(int label) const
+  {
+    for (int n = 0; n < this->Count; ++n)
+    {
+      if (this->LabelAt(n) == label)
+      {
+        return this->Materials[static_cast<std::size_t>(n)].voxels & ~(1u << 13);
+      }
+    }
+    return 0;
+  }
   int LabelAt(int n) const { return this->Materials[static_cast<std::size_t>(n)].label; }
 
 private:
   struct Material
   {
-    int label = 0;
-    Neighbourhood voxels = 0;
-    std::array<unsigned char, 8> sets{}; ///< its voxels in each block
+    int label;
+    Neighbourhood voxels;
+    std::array<unsigned char, 8> sets; ///< its voxels in each block
   };
   int Contacts(std::size_t block, const std::array<unsigned, 28>& sets, int count, int label) const;
 
   const FaultRules& Rules;
-  std::array<Material, 27> Materials;
+  std::array<Material, 27> Materials; // the first Count of them are set
   std::array<unsigned char, 8> Exempt{};
   int Count = 0;
 };
