@@ -23,8 +23,9 @@ constexpr std::size_t MostInPart = 8192;
 constexpr double DensityOfNoise = 0.25;
 /// How often searches may change a voxel: twice in the end, and in attempts that were taken back.
 constexpr int MostSearched = 4;
-/// Careful changes up to this cost join and cut nothing.
-constexpr double DearestThatKeeps = 1.5;
+/// Careful changes up to this cost join and cut nothing, if they take from what is thin or make a bridge at
+/// most.
+constexpr double DearestThatKeeps = 1.7;
 constexpr Id StepsOfGroup = 3000;
 constexpr Id StepsOfPlace = 150;
 constexpr Id StepsInNoise = 40;
@@ -345,6 +346,16 @@ public:
       return this->score == other.score && this->voxel == other.voxel && this->to == other.to;
     }
   };
+  /// voxels: ascending; if `only`, no others are entered.
+  Promises(const std::vector<Id>& voxels, bool only)
+    : Voxels(voxels)
+    , Only(only)
+  {
+  }
+  bool MayEnter(Id voxel) const
+  {
+    return !this->Only || std::binary_search(this->Voxels.begin(), this->Voxels.end(), voxel);
+  }
   void Enter(const Promise& promise)
   {
     const auto at = this->Live.insert({ promise.voxel, promise });
@@ -371,12 +382,18 @@ public:
   }
 
 private:
+  const std::vector<Id>& Voxels;
+  bool Only;
   std::priority_queue<Promise> Queue; // the least score on top
   std::unordered_map<Id, Promise> Live;
 };
 
 void LabelRepair::Consider(const Place& voxel, const Care& care, Promises& promises)
 {
+  if (!promises.MayEnter(this->Lattice.VoxelIndex(voxel)))
+  {
+    return;
+  }
   double score = 0;
   const LabelChange change = this->BestChange(voxel, care, score);
   if (score <= -1)
@@ -387,7 +404,6 @@ void LabelRepair::Consider(const Place& voxel, const Care& care, Promises& promi
 
 void LabelRepair::MendGreedily(const std::vector<Place>& group, const Care& care, Monitor& monitor)
 {
-  Promises promises;
   std::vector<Id> voxels;
   for (const Place& point : group)
   {
@@ -402,6 +418,8 @@ void LabelRepair::MendGreedily(const std::vector<Place>& group, const Care& care
   }
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  // The next part has its own turn.
+  Promises promises(voxels, group.size() >= MostInPart);
   for (const Id voxel : voxels)
   {
     this->Consider(this->Lattice.VoxelPlace(voxel), care, promises);
@@ -476,8 +494,7 @@ bool LabelRepair::MendPlace(const Place& point, const Care& care)
     }
     points.insert(points.begin(), point);
     const double count = static_cast<double>(points.size());
-    const auto changes =
-      this->Search.Find(points, { 4 + 2 * count, care.steps, care.prices, care.dearest });
+    const auto changes = this->Search.Find(points, { 4 + 2 * count, care.steps, care.prices, care.dearest });
     this->PlaceSteps -= this->Search.StepsTaken();
     if (!changes.empty() && (best.empty() || this->Search.BestCostFound() / count < least))
     {
@@ -594,17 +611,19 @@ bool LabelRepair::TakeBackAt(Id voxel)
 void LabelRepair::TakeBack(Monitor& monitor)
 {
   std::vector<Id> taken;
+  bool stop = false;
   this->First.ForEachChanged(
     [&](Id voxel)
     {
-      if (!monitor.Cancelled() && this->TakeBackAt(voxel))
+      stop = stop || monitor.Cancelled();
+      if (!stop && this->TakeBackAt(voxel))
       {
         taken.push_back(voxel);
         this->Log.clear();
       }
     });
   // Only around what was taken back can there be more.
-  while (!taken.empty() && !monitor.Cancelled())
+  while (!taken.empty() && !stop && !monitor.Cancelled())
   {
     std::vector<Id> near;
     for (const Id voxel : taken)
@@ -621,8 +640,9 @@ void LabelRepair::TakeBack(Monitor& monitor)
     }
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-    near.erase(std::remove_if(near.begin(), near.end(), [this](Id voxel) { return !this->TakeBackAt(voxel); }),
-               near.end());
+    near.erase(
+      std::remove_if(near.begin(), near.end(), [this](Id voxel) { return !this->TakeBackAt(voxel); }),
+      near.end());
     taken = std::move(near);
     this->Log.clear();
   }
@@ -688,7 +708,7 @@ void LabelRepair::Improve(Monitor& monitor)
   for (bool again = true; again && this->Steps > 0 && !monitor.Cancelled();)
   {
     again = false;
-    for (std::size_t r = 0; r < this->Rough.size() && this->Steps > 0; ++r)
+    for (std::size_t r = 0; r < this->Rough.size() && this->Steps > 0 && !monitor.Cancelled(); ++r)
     {
       again = this->ImproveAround(this->Lattice.VoxelPlace(this->Rough[r])) || again;
     }

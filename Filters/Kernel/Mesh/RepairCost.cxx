@@ -49,10 +49,9 @@ void Grow(const Window& set, Window& piece)
     for (std::size_t k = 0; k < static_cast<std::size_t>(WindowSize); ++k)
     {
       const unsigned long long own = piece[k];
-      const unsigned long long near = own | ((own & notLast) << 1) | ((own & notFirst) >> 1) |
-                                      (own << WindowSize) | (own >> WindowSize) |
-                                      piece[k == 0 ? static_cast<std::size_t>(WindowSize) : k - 1] |
-                                      piece[k + 1];
+      const unsigned long long near =
+        own | ((own & notLast) << 1) | ((own & notFirst) >> 1) | (own << WindowSize) | (own >> WindowSize) |
+        piece[k == 0 ? static_cast<std::size_t>(WindowSize) : k - 1] | piece[k + 1];
       piece[k] = near & set[k];
       again = again || piece[k] != own;
     }
@@ -133,11 +132,18 @@ Window WindowOf(const OriginalView& original, const Place& voxel, int label)
   return window;
 }
 
-/// The second largest piece, over faces and within the window, of those that share a face with the voxel.
-std::size_t SecondPiece(const OriginalView& original, const Place& voxel, int label)
+/// The pieces, over faces and within the window, that share a face with the voxel.
+struct WindowPieces
+{
+  int count = 0;
+  std::size_t second = 0; ///< voxels of the second largest
+};
+
+WindowPieces PiecesAround(const OriginalView& original, const Place& voxel, int label)
 {
   Window left = WindowOf(original, voxel, label);
-  std::size_t sizes[2] = { 0, 0 };
+  WindowPieces pieces;
+  std::size_t largest = 0;
   for (const Place& face : { Place{ 3, 3, 2 }, Place{ 3, 2, 3 }, Place{ 2, 3, 3 }, Place{ 4, 3, 3 },
                              Place{ 3, 4, 3 }, Place{ 3, 3, 4 } })
   {
@@ -154,10 +160,11 @@ std::size_t SecondPiece(const OriginalView& original, const Place& voxel, int la
       left[k] &= ~piece[k];
     }
     const std::size_t size = CountVoxels(piece);
-    sizes[1] = std::max(sizes[1], std::min(size, sizes[0]));
-    sizes[0] = std::max(sizes[0], size);
+    ++pieces.count;
+    pieces.second = std::max(pieces.second, std::min(size, largest));
+    largest = std::max(largest, size);
   }
-  return sizes[1];
+  return pieces;
 }
 
 int CountBits(Neighbourhood set)
@@ -171,15 +178,51 @@ int CountBits(Neighbourhood set)
 }
 
 /// 0: only fragments are joined; 1: bodies are.
-double Joined(const OriginalView& original, const Place& voxel, int label)
+double Joined(const WindowPieces& pieces)
 {
-  if (PiecesOverFaces(original.With(voxel, label)) < 2)
+  return std::min(1.0,
+                  std::max(0.0, (static_cast<double>(pieces.second) - static_cast<double>(LargeFragment)) /
+                                  static_cast<double>(SmallBody - LargeFragment)));
+}
+
+/// The voxels of a window whose neighbours along one axis are in the set, too. Those at the window's end
+/// count as outside.
+Window ErodedInSlabs(Window set, Id step, unsigned long long notFirst, unsigned long long notLast)
+{
+  for (unsigned long long& slab : set)
   {
-    return 0;
+    slab &= ((slab & notLast) << step) & ((slab & notFirst) >> step);
   }
-  const double size = static_cast<double>(SecondPiece(original, voxel, label));
-  return std::min(1.0, std::max(0.0, (size - static_cast<double>(LargeFragment)) /
-                                       static_cast<double>(SmallBody - LargeFragment)));
+  return set;
+}
+
+/// Whether one of 27 voxels around and at a voxel is the middle of 3x3x3 of the label: else what it is part
+/// of is nowhere three voxels thick here.
+bool ReachesBody(const OriginalView& original, const Place& voxel, int label)
+{
+  constexpr unsigned long long core = 0x7ull << 16 | 0x7ull << 23 | 0x7ull << 30; // i and j from 2 to 4
+  Window set = WindowOf(original, voxel, label);
+  set[Reach] |= 1ull << (Reach + WindowSize * Reach);
+  set = ErodedInSlabs(set, 1, SlabVoxels & ~ColumnOf(0), SlabVoxels & ~ColumnOf(WindowSize - 1));
+  set = ErodedInSlabs(set, WindowSize, SlabVoxels, SlabVoxels);
+  bool any = false;
+  for (std::size_t k = 2; k < 5; ++k)
+  {
+    any = any || (set[k - 1] & set[k] & set[k + 1] & core) != 0;
+  }
+  return any;
+}
+
+/// Whether a voxel, its label's neighbours given, is part of something thin.
+bool IsThin(const OriginalView& original, const Place& voxel, Neighbourhood same, int label)
+{
+  constexpr Neighbourhood block = 0x1bu | (0x1bu << 9); // 2x2x2 voxels
+  bool full = false;
+  for (const int first : { 0, 1, 3, 4, 9, 10, 12, 13 })
+  {
+    full = full || ((same | (1u << 13)) & (block << first)) == (block << first);
+  }
+  return !full || !ReachesBody(original, voxel, label);
 }
 
 /// Whether a voxel with one neighbour of its label is the end of something longer than the two.
@@ -214,9 +257,14 @@ const RepairCost::Harm& RepairCost::HarmOf(const LabelChange& change)
     const OriginalView original(this->Lattice, this->Original);
     const int first = original.Label(change.voxel);
     harm.key = key;
-    harm.joins = static_cast<float>(Joined(original, change.voxel, change.to));
-    harm.cuts = first != change.to &&
-                Cuts(original, change.voxel, original.With(change.voxel, first), first);
+    const int parts = PiecesOverFaces(original.With(change.voxel, change.to));
+    const WindowPieces pieces =
+      parts > 1 ? PiecesAround(original, change.voxel, change.to) : WindowPieces{ parts, 0 };
+    harm.joins = static_cast<float>(Joined(pieces));
+    harm.bridges = pieces.count < parts;
+    const Neighbourhood same = original.With(change.voxel, first);
+    harm.cuts = first != change.to && Cuts(original, change.voxel, same, first);
+    harm.thins = first != change.to && IsThin(original, change.voxel, same, first);
   }
   return harm;
 }
@@ -225,7 +273,8 @@ double RepairCost::Of(const LabelChange& change, const VoxelFaults& around, cons
 {
   const Harm& harm = this->HarmOf(change);
   const Neighbourhood losing = around.Others(change.from);
-  double cost = 1 + prices.join * static_cast<double>(harm.joins);
+  const double joins = prices.join * static_cast<double>(harm.joins);
+  double cost = 1 + std::max(joins, harm.bridges ? prices.bridge : 0) + (harm.thins ? prices.thin : 0);
   if (harm.cuts)
   {
     cost += prices.cut;

@@ -22,10 +22,14 @@ struct RepairPrices
 {
   double join = 0.6; ///< two bodies of the new label, apart over faces nearby, become one
   double cut = 0.6;  ///< the old label is parted over corners, or loses the tip of a strand
+  /// The old label is nowhere three voxels thick around the voxel: what loses one there is nearer to a hole.
+  double thin = 0.15;
+  double bridge = 0.25; ///< the voxel joins one piece of the new label to itself: a tunnel under it
 };
 
-/// Prices at which walls and vessels of one voxel are thickened, not cut.
-constexpr RepairPrices CarefulPrices{ 3.5, 3.5 };
+/// Prices at which walls and vessels of one voxel are thickened, not cut. Thin pieces and bridges only tell
+/// changes apart that are as good otherwise: a wall is thickened by bridges, too.
+constexpr RepairPrices CarefulPrices{ 3.5, 3.5, 0.15, 0.25 };
 
 /// Prices changes by what they do to the image as it came, whatever the order in which they are made.
 ///
@@ -55,12 +59,14 @@ public:
 private:
   /// Neighbouring changes are priced again and again, distant ones never.
   static constexpr std::size_t HarmsKept = 1 << 14;
-  /// In the original: 0 to 1, how much a change joins; whether it cuts.
+  /// In the original: 0 to 1, how much a change joins; whether it cuts, or takes from what is thin.
   struct Harm
   {
     Id key = -1; ///< of voxel and new label
     float joins = 0;
     bool cuts = false;
+    bool bridges = false; ///< joins one piece to itself
+    bool thins = false;   ///< takes from what is thin
   };
   const Harm& HarmOf(const LabelChange& change);
 
