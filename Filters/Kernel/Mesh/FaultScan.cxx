@@ -42,8 +42,7 @@ struct Layer
   Id contacts = 0;
 };
 
-void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, PointFlags& points,
-               Layer& layer)
+void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, PointFlags& points, Layer& layer)
 {
   const auto& size = image.grid.size;
   for (Id j = 0; j <= size[1]; ++j)
