@@ -302,3 +302,63 @@ TEST(RepairTopology, ForbiddenPairsInNoiseEndClean)
     EXPECT_TRUE(IsClean(image, options));
   }
 }
+
+TEST(RepairTopology, NoiseOfManyPartsEndsCleanAndCostsLikeASmallOne)
+{
+  LabelImage small = RandomImage(16, 3, false, 2);
+  LabelImage large = RandomImage(40, 3, false, 2); // several parts
+  const auto share = [](const LabelImage& image, const RepairReport& report)
+  { return static_cast<double>(report.changed.size()) / static_cast<double>(image.labels.size()); };
+  const double first = share(small, Repair(small));
+  const double second = share(large, Repair(large));
+  EXPECT_TRUE(IsClean(large));
+  EXPECT_LE(first, 0.26);
+  EXPECT_LE(second, 1.15 * first); // less of it lies at the border, where background is certain
+}
+
+namespace
+{
+
+/// Asks to stop when it was asked for the n-th time, and counts what comes after.
+class StoppingMonitor : public ThreadMonitor
+{
+public:
+  explicit StoppingMonitor(Id after)
+    : After(after)
+  {
+  }
+  bool Cancelled() override { return ++this->Asked > this->After; }
+  void Progress(double fraction, const char*) override
+  {
+    this->Rises = this->Rises && fraction >= this->Last && fraction <= 1;
+    this->Last = fraction;
+    this->Told += this->Asked > this->After ? 0 : 1;
+  }
+  Id Asked = 0;
+  Id Told = 0;
+  bool Rises = true;
+
+private:
+  Id After;
+  double Last = 0;
+};
+
+} // namespace
+
+TEST(RepairTopology, StopsSoonAndTellsOfItsProgress)
+{
+  const LabelImage noise = RandomImage(40, 3, false, 2);
+  StoppingMonitor all(1000000000);
+  LabelImage image = noise;
+  RepairTopology(image, {}, all);
+  EXPECT_TRUE(all.Rises);
+  EXPECT_GT(all.Told, 5);
+  EXPECT_GT(all.Asked, 10000);
+  for (const Id after : { Id(0), Id(10), all.Asked / 2, all.Asked - all.Asked / 50 })
+  {
+    StoppingMonitor stopping(after);
+    image = noise;
+    RepairTopology(image, {}, stopping);
+    EXPECT_LT(stopping.Asked, after + 100) << after;
+  }
+}

@@ -44,6 +44,10 @@ public:
 
   BlockFaults Find(const Block& block) const;
   bool MayNotTouch(int a, int b) const;
+  bool HasForbidden() const { return !this->Forbidden.empty(); }
+  /// For a material that holds this set of a block's voxels: bits 0 to 5 the lattice edges, bit 6 the corner
+  /// across which alone it or its complement touches itself.
+  unsigned CriticalOf(unsigned set) const { return this->Critical[set]; }
 
 private:
   int CountContacts(const Block& block) const;

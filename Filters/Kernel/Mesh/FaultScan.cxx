@@ -37,13 +37,12 @@ void ForEachMixed(const int* const (&rows)[4], Id length, const Visit& visit)
 
 struct Layer
 {
-  std::vector<LabelLattice::Place> points;
   Id edges = 0;
   Id corners = 0;
   Id contacts = 0;
 };
 
-void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, Layer& layer)
+void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, PointFlags& points, Layer& layer)
 {
   const auto& size = image.grid.size;
   for (Id j = 0; j <= size[1]; ++j)
@@ -62,7 +61,7 @@ void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, Layer
                    const BlockFaults faults = lattice.FaultsAt({ i, j, k });
                    if (faults.All() > 0)
                    {
-                     layer.points.push_back({ i, j, k });
+                     points.Set({ i, j, k }, true);
                      layer.edges += faults.edges;
                      layer.corners += faults.corners;
                      layer.contacts += faults.contacts > 0 ? 1 : 0;
@@ -76,19 +75,18 @@ void ScanLayer(const LabelImage& image, const LabelLattice& lattice, Id k, Layer
 FaultScan ScanFaults(const LabelImage& image, const LabelLattice& lattice, Monitor& monitor)
 {
   const Id count = image.grid.size[2] + 1;
+  FaultScan all(lattice);
   std::vector<Layer> layers(static_cast<std::size_t>(count));
   monitor.For(count, 1,
               [&](Id begin, Id end)
               {
-                for (Id k = begin; k < end && !monitor.Cancelled(); ++k)
+                for (Id k = begin; k < end; ++k)
                 {
-                  ScanLayer(image, lattice, k, layers[static_cast<std::size_t>(k)]);
+                  ScanLayer(image, lattice, k, all.points, layers[static_cast<std::size_t>(k)]);
                 }
               });
-  FaultScan all;
   for (const Layer& layer : layers)
   {
-    all.points.insert(all.points.end(), layer.points.begin(), layer.points.end());
     all.counts.criticalEdges += layer.edges;
     all.counts.criticalCorners += layer.corners;
     all.counts.forbiddenContacts += layer.contacts;

@@ -4,6 +4,7 @@
 
 #include "../Base/Monitor.h"
 #include "LabelLattice.h"
+#include "PointFlags.h"
 #include "WellComposed.h"
 
 namespace lamina
@@ -11,8 +12,12 @@ namespace lamina
 
 struct FaultScan
 {
-  std::vector<LabelLattice::Place> points; ///< i fastest, then j, then k
-  RepairReport counts;                     ///< edges, corners and contacts
+  explicit FaultScan(const LabelLattice& lattice)
+    : points(lattice.Points())
+  {
+  }
+  PointFlags points;
+  RepairReport counts; ///< edges, corners and contacts
 };
 
 FaultScan ScanFaults(const LabelImage& image, const LabelLattice& lattice, Monitor& monitor);

@@ -79,22 +79,4 @@ Surroundings LabelLattice::Around(const Place& voxel) const
   return around;
 }
 
-int LabelLattice::CountFaults(const Surroundings& around) const
-{
-  int count = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const std::size_t first = (corner & 1) + 3 * ((corner >> 1) & 1) + 9 * (corner >> 2);
-    Block block;
-    for (std::size_t q = 0; q < 8; ++q)
-    {
-      const std::size_t slot = first + (q & 1) + 3 * ((q >> 1) & 1) + 9 * (q >> 2);
-      block.labels[q] = around.labels[slot];
-      block.exempt |= ((around.exempt >> slot) & 1u) << q;
-    }
-    count += this->Rules.Find(block).All();
-  }
-  return count;
-}
-
 } // namespace lamina

@@ -31,6 +31,7 @@ public:
   LabelLattice(const LabelImage& image, const RepairOptions& options);
 
   const Place& Size() const { return this->VoxelSize; }
+  const Place& Points() const { return this->PointSize; }
   Id PointCount() const { return this->PointSize[0] * this->PointSize[1] * this->PointSize[2]; }
   Id PointIndex(const Place& p) const
   {
@@ -82,9 +83,7 @@ public:
   Block BlockAt(const Place& point) const;
   BlockFaults FaultsAt(const Place& point) const { return this->Rules.Find(this->BlockAt(point)); }
   Surroundings Around(const Place& voxel) const;
-  /// The faults of all eight blocks that hold the voxel in the middle.
-  int CountFaults(const Surroundings& around) const;
-  int FaultsAround(const Place& voxel) const { return this->CountFaults(this->Around(voxel)); }
+  const FaultRules& Faults() const { return this->Rules; }
 
 private:
   Place VoxelSize;

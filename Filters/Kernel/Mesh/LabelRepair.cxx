@@ -2,10 +2,10 @@
 #include "LabelRepair.h"
 
 #include <algorithm>
-#include <deque>
 #include <queue>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 namespace lamina
 {
@@ -17,19 +17,28 @@ namespace
 constexpr std::size_t MostInGroup = 8;
 /// In larger groups the changes that mend most go first, if careful ones are not enough.
 constexpr std::size_t ManyInGroup = 24;
+/// Still larger ones (noise) are mended part by part, so that time and memory stay in proportion.
+constexpr std::size_t MostInPart = 8192;
 /// The share of the lattice points of its box that a group of noise takes up at least.
 constexpr double DensityOfNoise = 0.25;
 /// How often searches may change a voxel: twice in the end, and in attempts that were taken back.
 constexpr int MostSearched = 4;
-/// Careful changes up to this cost join and cut nothing.
-constexpr double DearestThatKeeps = 1.5;
+/// Careful changes up to this cost join and cut nothing, if they take from what is thin or make a bridge at
+/// most.
+constexpr double DearestThatKeeps = 1.7;
 constexpr Id StepsOfGroup = 3000;
 constexpr Id StepsOfPlace = 150;
+constexpr Id StepsInNoise = 40;
 /// For all places together: where searches find little, single changes do as well.
 constexpr Id StepsOfAllPlaces = 20000;
-constexpr Id StepsForEachFault = 10;
+constexpr Id StepsForEachFault = 3;
 constexpr Id StepsOfImprovement = 400;
 constexpr Id StepsOfAllImprovements = 20000;
+
+/// At most so many voxels are told to Improve().
+constexpr std::size_t MostRough = 4096;
+constexpr double ShareOfGroups = 0.8;
+constexpr const char* Doing = "repairing the topology";
 
 /// Whether places fill their box so densely that they are no wall and no strand.
 bool IsNoise(const std::vector<LabelLattice::Place>& group)
@@ -51,15 +60,14 @@ bool IsNoise(const std::vector<LabelLattice::Place>& group)
 } // namespace
 
 LabelRepair::LabelRepair(LabelImage& image, const RepairOptions& options, const LabelLattice& lattice,
-                         const MaterialContacts& known)
+                         const MaterialContacts& known, PointFlags faulty)
   : Image(image)
-  , Before(image)
-  , Original(this->Before, options)
+  , First(image.labels)
   , Lattice(lattice)
   , Known(known)
-  , Cost(lattice, this->Original, known)
-  , Search(image.labels, lattice, this->Cost, this->Faulty)
-  , Faulty(static_cast<std::size_t>(lattice.PointCount()), false)
+  , Faulty(std::move(faulty))
+  , Cost(lattice, this->First, known)
+  , Search(image.labels, this->First, lattice, this->Cost, this->Faulty)
 {
   this->RankLabels(options);
 }
@@ -89,6 +97,7 @@ void LabelRepair::RankLabels(const RepairOptions& options)
   {
     this->Rank[std::get<2>(order[r])] = static_cast<int>(r);
   }
+  this->Top = std::get<2>(order.back());
 }
 
 std::vector<LabelRepair::Place> LabelRepair::FaultyNear(const Place& centre, Id distance,
@@ -112,48 +121,41 @@ std::vector<LabelRepair::Place> LabelRepair::FaultyNear(const Place& centre, Id 
   return found;
 }
 
-std::vector<LabelRepair::Place> LabelRepair::AllFaulty() const
-{
-  std::vector<Place> all;
-  for (auto found = std::find(this->Faulty.begin(), this->Faulty.end(), true); found != this->Faulty.end();
-       found = std::find(found + 1, this->Faulty.end(), true))
-  {
-    all.push_back(this->Lattice.PointPlace(found - this->Faulty.begin()));
-  }
-  return all;
-}
-
 void LabelRepair::Set(const Place& voxel, int label)
 {
   int& own = this->LabelOf(voxel);
-  this->First.insert({ this->Lattice.VoxelIndex(voxel), own });
+  this->First.Keep(this->Lattice.VoxelIndex(voxel));
   this->Log.push_back({ voxel, own, label });
   own = label;
   for (int q = 0; q < 8; ++q)
   {
     const Place point = LabelLattice::CornerOf(voxel, q);
-    this->Faulty[static_cast<std::size_t>(this->Lattice.PointIndex(point))] =
-      this->Lattice.FaultsAt(point).All() > 0;
+    this->Faulty.Set(point, this->Lattice.FaultsAt(point).All() > 0);
+  }
+}
+
+void LabelRepair::NoteRough(const Place& voxel)
+{
+  if (this->Rough.size() < MostRough)
+  {
+    this->Rough.push_back(this->Lattice.VoxelIndex(voxel));
   }
 }
 
 /// Make the changes of a search, unless a voxel had its share of them.
 bool LabelRepair::Apply(const std::vector<LabelChange>& changes)
 {
-  const bool spent = std::any_of(changes.begin(), changes.end(),
-                                 [this](const LabelChange& change)
-                                 {
-                                   const auto found =
-                                     this->Searched.find(this->Lattice.VoxelIndex(change.voxel));
-                                   return found != this->Searched.end() && found->second >= MostSearched;
-                                 });
+  const bool spent =
+    std::any_of(changes.begin(), changes.end(),
+                [this](const LabelChange& change)
+                { return this->First.Searched(this->Lattice.VoxelIndex(change.voxel)) >= MostSearched; });
   if (spent || changes.empty())
   {
     return false;
   }
   for (const LabelChange& change : changes)
   {
-    ++this->Searched[this->Lattice.VoxelIndex(change.voxel)];
+    ++this->First.Searched(this->Lattice.VoxelIndex(change.voxel));
     this->Spent += this->Cost.Of(change, CarefulPrices);
     this->Set(change.voxel, change.to);
   }
@@ -161,31 +163,37 @@ bool LabelRepair::Apply(const std::vector<LabelChange>& changes)
 }
 
 /// Faulty places at most two apart can be mended by one voxel, or get in each other's way.
-void LabelRepair::MendGroups(const std::vector<Place>& faulty, Monitor& monitor)
+std::vector<LabelRepair::Place> LabelRepair::GroupFrom(const Place& start, PointFlags& grouped) const
 {
-  std::vector<bool> grouped(this->Faulty.size(), false);
-  for (const Place& start : faulty)
+  std::vector<Place> group{ start };
+  grouped.Set(start, true);
+  for (std::size_t next = 0; next < group.size() && group.size() < MostInPart; ++next)
   {
-    if (grouped[static_cast<std::size_t>(this->Lattice.PointIndex(start))] || !this->IsFaulty(start) ||
-        monitor.Cancelled())
+    for (const Place& point : this->FaultyNear(group[next], 2, 124))
     {
-      continue;
-    }
-    std::vector<Place> group{ start };
-    grouped[static_cast<std::size_t>(this->Lattice.PointIndex(start))] = true;
-    for (std::size_t next = 0; next < group.size(); ++next)
-    {
-      for (const Place& point : this->FaultyNear(group[next], 2, 124))
+      if (!grouped.At(point))
       {
-        const std::size_t index = static_cast<std::size_t>(this->Lattice.PointIndex(point));
-        if (!grouped[index])
-        {
-          grouped[index] = true;
-          group.push_back(point);
-        }
+        grouped.Set(point, true);
+        group.push_back(point);
       }
     }
-    this->MendGroup(group, monitor);
+  }
+  return group;
+}
+
+void LabelRepair::MendGroups(Monitor& monitor)
+{
+  PointFlags grouped(this->Lattice.Points());
+  for (Id slot = this->Faulty.Next(0); slot != this->Faulty.End() && !monitor.Cancelled();
+       slot = this->Faulty.Next(slot + 1))
+  {
+    if (!grouped.At(slot))
+    {
+      this->MendGroup(this->GroupFrom(this->Faulty.PlaceOf(slot), grouped), monitor);
+      this->Log.clear();
+      monitor.Progress(ShareOfGroups * static_cast<double>(slot) / static_cast<double>(this->Faulty.End()),
+                       Doing);
+    }
   }
 }
 
@@ -198,22 +206,24 @@ void LabelRepair::MendGroup(const std::vector<Place>& group, Monitor& monitor)
     return;
   }
   const std::size_t begin = this->Log.size();
-  const std::size_t rough = this->Rough.size();
+  const std::size_t noted = this->Rough.size();
   const double spent = this->Spent;
-  const bool done = !IsNoise(group) && this->MendCarefully(group, monitor);
+  const bool noise = IsNoise(group);
+  const bool done = !noise && this->MendCarefully(group, monitor);
   const double careful = this->Spent - spent;
-  this->Rough.resize(rough);
+  this->Rough.resize(noted);
   const std::vector<LabelChange> changes = this->TakeBackFrom(begin);
   this->Spent = spent;
+  const Care rough{ {}, 1e300, noise ? StepsInNoise : StepsOfPlace };
   if (group.size() > ManyInGroup)
   {
-    this->MendGreedily(group, { {}, 1e300 }, monitor);
+    this->MendGreedily(group, rough, monitor);
   }
-  const bool mended = this->MendPlaces(group, begin, { {}, 1e300 }, monitor);
+  const bool mended = this->MendPlaces(group, begin, rough, monitor);
   if (done && (!mended || careful < this->Spent - spent))
   {
     this->TakeBackFrom(begin);
-    this->Rough.resize(rough);
+    this->Rough.resize(noted);
     for (const LabelChange& change : changes)
     {
       this->Set(change.voxel, change.to);
@@ -238,7 +248,7 @@ std::vector<LabelChange> LabelRepair::TakeBackFrom(std::size_t begin)
 /// end to end before any hole in it may be opened. False if that is not enough.
 bool LabelRepair::MendCarefully(const std::vector<Place>& group, Monitor& monitor)
 {
-  const Care care{ CarefulPrices, DearestThatKeeps };
+  const Care care{ CarefulPrices, DearestThatKeeps, StepsOfPlace };
   const std::size_t begin = this->Log.size();
   this->MendGreedily(group, care, monitor);
   return this->MendPlaces(group, begin, care, monitor);
@@ -268,6 +278,16 @@ bool LabelRepair::MendPlaces(const std::vector<Place>& group, std::size_t begin,
   return true;
 }
 
+bool LabelRepair::HasFaultyCorner(const Place& voxel) const
+{
+  bool any = false;
+  for (int q = 0; q < 8 && !any; ++q)
+  {
+    any = this->IsFaulty(LabelLattice::CornerOf(voxel, q));
+  }
+  return any;
+}
+
 /// The change of a voxel that mends most; score: faults after less before, and what it breaks. Above -1: none
 /// good.
 LabelChange LabelRepair::BestChange(const Place& voxel, const Care& care, double& score)
@@ -275,90 +295,157 @@ LabelChange LabelRepair::BestChange(const Place& voxel, const Care& care, double
   const int own = this->LabelOf(voxel);
   LabelChange best{ voxel, own, own };
   score = 0;
-  if (this->Lattice.IsFrozen(this->Lattice.VoxelIndex(voxel)))
+  if (this->Lattice.IsFrozen(this->Lattice.VoxelIndex(voxel)) || !this->HasFaultyCorner(voxel))
   {
     return best;
   }
-  Surroundings around = this->Lattice.Around(voxel);
-  const int before = this->Lattice.CountFaults(around);
-  std::array<int, 27> labels = around.labels;
-  std::sort(labels.begin(), labels.end());
-  const auto end = before > 0 ? std::unique(labels.begin(), labels.end()) : labels.begin();
-  for (auto label = labels.begin(); label != end; ++label)
+  const VoxelFaults faults(this->Lattice.Around(voxel), this->Lattice.Faults());
+  const int before = faults.Now();
+  std::array<std::pair<int, int>, 27> choices; // more faults, label
+  std::size_t count = 0;
+  for (int n = 1; n < faults.LabelCount(); ++n)
   {
-    if (*label == own)
+    const int label = faults.LabelAt(n);
+    const int more = faults.With(label) - before;
+    if (more < 0)
     {
-      continue;
+      choices[count++] = { more, label };
     }
-    around.labels[13] = *label;
-    const int faults = this->Lattice.CountFaults(around) - before;
-    const double cost = faults < score ? this->Cost.Of({ voxel, own, *label }, care.prices) : 1;
-    const double value = faults + cost - 1;
-    if (value < score && cost <= care.dearest)
+  }
+  std::sort(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count));
+  // A change costs 1 at least, so the first that cannot be better ends the choice.
+  for (std::size_t n = 0; n < count && (score > -1 || choices[n].first < score); ++n)
+  {
+    const double cost = this->Cost.Of({ voxel, own, choices[n].second }, faults, care.prices);
+    const double value = choices[n].first + cost - 1;
+    if (value <= -1 && value < score && cost <= care.dearest)
     {
       score = value;
-      best.to = *label;
+      best.to = choices[n].second;
     }
   }
   return best;
 }
 
-void LabelRepair::MendGreedily(const std::vector<Place>& group, const Care& care, Monitor& monitor)
+/// Voxels in the order of what they mend. An entry may promise more than its voxel holds by now: it is looked
+/// at again when its turn comes. What holds more than promised is entered anew.
+class LabelRepair::Promises
 {
-  struct Entry
+public:
+  struct Promise
   {
     double score;
     Id voxel;
     int to;
-    bool operator<(const Entry& other) const
+    bool operator<(const Promise& other) const
     {
       return std::tie(other.score, other.voxel, other.to) < std::tie(this->score, this->voxel, this->to);
     }
-  };
-  std::priority_queue<Entry> queue; // the least score on top
-  const auto consider = [&](const Place& voxel)
-  {
-    double score = 0;
-    const LabelChange change = this->BestChange(voxel, care, score);
-    if (score <= -1)
+    bool operator==(const Promise& other) const
     {
-      queue.push({ score, this->Lattice.VoxelIndex(voxel), change.to });
+      return this->score == other.score && this->voxel == other.voxel && this->to == other.to;
     }
   };
-  std::set<Id> voxels;
+  /// voxels: ascending; if `only`, no others are entered.
+  Promises(const std::vector<Id>& voxels, bool only)
+    : Voxels(voxels)
+    , Only(only)
+  {
+  }
+  bool MayEnter(Id voxel) const
+  {
+    return !this->Only || std::binary_search(this->Voxels.begin(), this->Voxels.end(), voxel);
+  }
+  void Enter(const Promise& promise)
+  {
+    const auto at = this->Live.insert({ promise.voxel, promise });
+    if (at.second || at.first->second < promise)
+    {
+      at.first->second = promise;
+      this->Queue.push(promise);
+    }
+  }
+  bool Take(Promise& promise)
+  {
+    while (!this->Queue.empty())
+    {
+      promise = this->Queue.top();
+      this->Queue.pop();
+      const auto at = this->Live.find(promise.voxel);
+      if (at != this->Live.end() && at->second == promise)
+      {
+        this->Live.erase(at);
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  const std::vector<Id>& Voxels;
+  bool Only;
+  std::priority_queue<Promise> Queue; // the least score on top
+  std::unordered_map<Id, Promise> Live;
+};
+
+void LabelRepair::Consider(const Place& voxel, const Care& care, Promises& promises)
+{
+  if (!promises.MayEnter(this->Lattice.VoxelIndex(voxel)))
+  {
+    return;
+  }
+  double score = 0;
+  const LabelChange change = this->BestChange(voxel, care, score);
+  if (score <= -1)
+  {
+    promises.Enter({ score, this->Lattice.VoxelIndex(voxel), change.to });
+  }
+}
+
+void LabelRepair::MendGreedily(const std::vector<Place>& group, const Care& care, Monitor& monitor)
+{
+  std::vector<Id> voxels;
   for (const Place& point : group)
   {
     for (int q = 0; q < 8; ++q)
     {
       const Place voxel = LabelLattice::VoxelAround(point, q);
-      if (this->Lattice.IsVoxel(voxel) && voxels.insert(this->Lattice.VoxelIndex(voxel)).second)
+      if (this->Lattice.IsVoxel(voxel))
       {
-        consider(voxel);
+        voxels.push_back(this->Lattice.VoxelIndex(voxel));
       }
     }
   }
-  while (!queue.empty() && !monitor.Cancelled())
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  // The next part has its own turn.
+  Promises promises(voxels, group.size() >= MostInPart);
+  for (const Id voxel : voxels)
   {
-    const Entry top = queue.top();
-    queue.pop();
-    const Place voxel = this->Lattice.VoxelPlace(top.voxel);
+    this->Consider(this->Lattice.VoxelPlace(voxel), care, promises);
+  }
+  Promises::Promise promise;
+  while (!monitor.Cancelled() && promises.Take(promise))
+  {
+    const Place voxel = this->Lattice.VoxelPlace(promise.voxel);
     double score = 0;
     const LabelChange change = this->BestChange(voxel, care, score);
-    if (score != top.score || change.to != top.to)
+    if (!(promise == Promises::Promise{ score, promise.voxel, change.to }))
     {
-      continue; // an entry of its present state is in the queue as well
+      this->Consider(voxel, care, promises);
+      continue;
     }
     if (!this->Apply({ change }))
     {
       continue;
     }
-    this->Rough.push_back(top.voxel);
-    for (Id n = 0; n < 125; ++n)
+    this->NoteRough(voxel);
+    for (Id n = 0; n < 27; ++n)
     {
-      const Place near{ voxel[0] + n % 5 - 2, voxel[1] + n / 5 % 5 - 2, voxel[2] + n / 25 - 2 };
+      const Place near{ voxel[0] + n % 3 - 1, voxel[1] + n / 3 % 3 - 1, voxel[2] + n / 9 - 1 };
       if (this->Lattice.IsVoxel(near))
       {
-        consider(near);
+        this->Consider(near, care, promises);
       }
     }
   }
@@ -385,7 +472,7 @@ bool LabelRepair::MendByOne(const Place& point, const Care& care)
   {
     return false;
   }
-  this->Rough.push_back(this->Lattice.VoxelIndex(best.voxel));
+  this->NoteRough(best.voxel);
   return true;
 }
 
@@ -407,8 +494,7 @@ bool LabelRepair::MendPlace(const Place& point, const Care& care)
     }
     points.insert(points.begin(), point);
     const double count = static_cast<double>(points.size());
-    const auto changes =
-      this->Search.Find(points, { 4 + 2 * count, StepsOfPlace, care.prices, care.dearest });
+    const auto changes = this->Search.Find(points, { 4 + 2 * count, care.steps, care.prices, care.dearest });
     this->PlaceSteps -= this->Search.StepsTaken();
     if (!changes.empty() && (best.empty() || this->Search.BestCostFound() / count < least))
     {
@@ -422,7 +508,7 @@ bool LabelRepair::MendPlace(const Place& point, const Care& care)
   }
   for (const LabelChange& change : best)
   {
-    this->Rough.push_back(this->Lattice.VoxelIndex(change.voxel));
+    this->NoteRough(change.voxel);
   }
   return true;
 }
@@ -434,9 +520,7 @@ bool LabelRepair::Climb(const Place& point)
   const Block block = this->Lattice.BlockAt(point);
   std::set<int> labels(block.labels.begin(), block.labels.end());
   // Blocks of frozen voxels may not offer the last label, which mends every block without them.
-  labels.insert(std::max_element(this->Rank.begin(), this->Rank.end(),
-                                 [](const auto& a, const auto& b) { return a.second < b.second; })
-                  ->first);
+  labels.insert(this->Top);
   LabelChange best;
   int least = 0;
   bool found = false;
@@ -448,15 +532,14 @@ bool LabelRepair::Climb(const Place& point)
       continue;
     }
     const int own = this->LabelOf(v);
-    Surroundings around = this->Lattice.Around(v);
+    const VoxelFaults all(this->Lattice.Around(v), this->Lattice.Faults());
     for (const int label : labels)
     {
       if (this->Rank.at(label) <= this->Rank.at(own))
       {
         continue;
       }
-      around.labels[13] = label;
-      const int faults = this->Lattice.CountFaults(around);
+      const int faults = all.With(label);
       if (!found || faults < least)
       {
         best = { v, own, label };
@@ -468,29 +551,29 @@ bool LabelRepair::Climb(const Place& point)
   if (found)
   {
     this->Set(best.voxel, best.to);
-    this->Rough.push_back(this->Lattice.VoxelIndex(best.voxel));
+    this->NoteRough(best.voxel);
   }
   return found;
 }
 
-void LabelRepair::MendOneByOne(const std::vector<Place>& faulty, Monitor& monitor)
+/// Mend a place, and those that this makes faulty or leaves so.
+void LabelRepair::MendFrom(const Place& start, Monitor& monitor)
 {
-  std::deque<Place> work(faulty.begin(), faulty.end());
-  while (!work.empty() && !monitor.Cancelled())
+  std::vector<Place> work{ start };
+  for (std::size_t next = 0; next < work.size() && !monitor.Cancelled(); ++next)
   {
-    const Place point = work.front();
-    work.pop_front();
-    const std::size_t begin = this->Log.size();
-    if (this->IsFaulty(point) && !this->MendPlace(point, { {}, 1e300 }))
+    this->Log.clear();
+    const Place point = work[next];
+    if (this->IsFaulty(point) && !this->MendPlace(point, { {}, 1e300, StepsInNoise }))
     {
       this->Climb(point);
     }
     // A change that is no search's may make faults where there were none, or leave some.
-    for (std::size_t next = begin; next < this->Log.size(); ++next)
+    for (const LabelChange& change : this->Log)
     {
       for (int q = 0; q < 8; ++q)
       {
-        const Place corner = LabelLattice::CornerOf(this->Log[next].voxel, q);
+        const Place corner = LabelLattice::CornerOf(change.voxel, q);
         if (this->IsFaulty(corner))
         {
           work.push_back(corner);
@@ -498,30 +581,70 @@ void LabelRepair::MendOneByOne(const std::vector<Place>& faulty, Monitor& monito
       }
     }
   }
+  this->Log.clear();
 }
 
-/// Give voxels their first label again where that makes no fault.
+void LabelRepair::MendOneByOne(Monitor& monitor)
+{
+  for (Id slot = this->Faulty.Next(0); slot != this->Faulty.End() && !monitor.Cancelled();
+       slot = this->Faulty.Next(slot + 1))
+  {
+    this->MendFrom(this->Faulty.PlaceOf(slot), monitor);
+  }
+}
+
+/// Give a voxel its first label again if that makes no fault.
+bool LabelRepair::TakeBackAt(Id voxel)
+{
+  const Place place = this->Lattice.VoxelPlace(voxel);
+  const VoxelFaults faults(this->Lattice.Around(place), this->Lattice.Faults());
+  const int first = this->First.Of(voxel);
+  if (this->LabelOf(place) == first || faults.With(first) > faults.Now())
+  {
+    return false;
+  }
+  this->Set(place, first);
+  return true;
+}
+
+/// Give voxels their first label again where that makes no fault, until there is none left.
 void LabelRepair::TakeBack(Monitor& monitor)
 {
-  for (bool again = true; again && !monitor.Cancelled();)
-  {
-    again = false;
-    for (const auto& item : this->First)
+  std::vector<Id> taken;
+  bool stop = false;
+  this->First.ForEachChanged(
+    [&](Id voxel)
     {
-      const Place voxel = this->Lattice.VoxelPlace(item.first);
-      Surroundings around = this->Lattice.Around(voxel);
-      if (around.labels[13] == item.second)
+      stop = stop || monitor.Cancelled();
+      if (!stop && this->TakeBackAt(voxel))
       {
-        continue;
+        taken.push_back(voxel);
+        this->Log.clear();
       }
-      const int before = this->Lattice.CountFaults(around);
-      around.labels[13] = item.second;
-      if (this->Lattice.CountFaults(around) <= before)
+    });
+  // Only around what was taken back can there be more.
+  while (!taken.empty() && !stop && !monitor.Cancelled())
+  {
+    std::vector<Id> near;
+    for (const Id voxel : taken)
+    {
+      const Place centre = this->Lattice.VoxelPlace(voxel);
+      for (Id n = 0; n < 27; ++n)
       {
-        this->Set(voxel, item.second);
-        again = true;
+        const Place place{ centre[0] + n % 3 - 1, centre[1] + n / 3 % 3 - 1, centre[2] + n / 9 - 1 };
+        if (this->Lattice.IsVoxel(place) && this->First.IsChanged(this->Lattice.VoxelIndex(place)))
+        {
+          near.push_back(this->Lattice.VoxelIndex(place));
+        }
       }
     }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    near.erase(
+      std::remove_if(near.begin(), near.end(), [this](Id voxel) { return !this->TakeBackAt(voxel); }),
+      near.end());
+    taken = std::move(near);
+    this->Log.clear();
   }
 }
 
@@ -532,11 +655,9 @@ bool LabelRepair::ImproveAround(const Place& centre)
   for (Id n = 0; n < 125 && undone.size() < 5; ++n)
   {
     const Place voxel{ centre[0] + n % 5 - 2, centre[1] + n / 5 % 5 - 2, centre[2] + n / 25 - 2 };
-    const auto found =
-      this->Lattice.IsVoxel(voxel) ? this->First.find(this->Lattice.VoxelIndex(voxel)) : this->First.end();
-    if (found != this->First.end() && found->second != this->LabelOf(voxel))
+    if (this->Lattice.IsVoxel(voxel) && this->First.IsChanged(this->Lattice.VoxelIndex(voxel)))
     {
-      undone.push_back({ voxel, this->LabelOf(voxel), found->second });
+      undone.push_back({ voxel, this->LabelOf(voxel), this->First.Of(this->Lattice.VoxelIndex(voxel)) });
     }
   }
   if (undone.size() < 2)
@@ -587,38 +708,34 @@ void LabelRepair::Improve(Monitor& monitor)
   for (bool again = true; again && this->Steps > 0 && !monitor.Cancelled();)
   {
     again = false;
-    for (std::size_t r = 0; r < this->Rough.size() && this->Steps > 0; ++r)
+    for (std::size_t r = 0; r < this->Rough.size() && this->Steps > 0 && !monitor.Cancelled(); ++r)
     {
       again = this->ImproveAround(this->Lattice.VoxelPlace(this->Rough[r])) || again;
     }
   }
 }
 
-Id LabelRepair::Run(const std::vector<Place>& faulty, Monitor& monitor)
+Id LabelRepair::Run(Monitor& monitor)
 {
-  for (const Place& point : faulty)
-  {
-    this->Faulty[static_cast<std::size_t>(this->Lattice.PointIndex(point))] = true;
-  }
-  this->PlaceSteps = StepsOfAllPlaces + StepsForEachFault * static_cast<Id>(faulty.size());
-  this->MendGroups(faulty, monitor);
-  this->MendOneByOne(this->AllFaulty(), monitor);
+  monitor.Progress(0, Doing);
+  this->PlaceSteps = StepsOfAllPlaces + StepsForEachFault * this->Faulty.Count();
+  this->MendGroups(monitor);
+  monitor.Progress(ShareOfGroups, Doing);
+  this->MendOneByOne(monitor);
   this->TakeBack(monitor);
   this->Improve(monitor);
   this->TakeBack(monitor);
-  return std::count(this->Faulty.begin(), this->Faulty.end(), true);
+  monitor.Progress(1, Doing);
+  return this->Faulty.Count();
 }
 
 std::vector<Id> LabelRepair::Changed() const
 {
+  std::size_t count = 0;
+  this->First.ForEachChanged([&](Id) { ++count; });
   std::vector<Id> changed;
-  for (const auto& item : this->First)
-  {
-    if (this->Image.labels[static_cast<std::size_t>(item.first)] != item.second)
-    {
-      changed.push_back(item.first);
-    }
-  }
+  changed.reserve(count);
+  this->First.ForEachChanged([&](Id voxel) { changed.push_back(voxel); });
   return changed;
 }
 

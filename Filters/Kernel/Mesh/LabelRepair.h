@@ -22,10 +22,10 @@ public:
   using Place = LabelLattice::Place;
 
   LabelRepair(LabelImage& image, const RepairOptions& options, const LabelLattice& lattice,
-              const MaterialContacts& known);
+              const MaterialContacts& known, PointFlags faulty);
 
-  /// Mend all of `faulty`, in this order; returns the number of places that stay faulty.
-  Id Run(const std::vector<Place>& faulty, Monitor& monitor);
+  /// Mend all faulty places; returns the number of those that stay faulty.
+  Id Run(Monitor& monitor);
   /// Voxels whose label differs from the first, ascending.
   std::vector<Id> Changed() const;
 
@@ -35,51 +35,53 @@ private:
   {
     RepairPrices prices;
     double dearest;
+    Id steps; ///< of a search for one place
   };
 
-  bool IsFaulty(const Place& point) const
-  {
-    return this->Faulty[static_cast<std::size_t>(this->Lattice.PointIndex(point))];
-  }
+  bool IsFaulty(const Place& point) const { return this->Faulty.At(point); }
   int& LabelOf(const Place& v)
   {
     return this->Image.labels[static_cast<std::size_t>(this->Lattice.VoxelIndex(v))];
   }
   std::vector<Place> FaultyNear(const Place& centre, Id distance, std::size_t most) const;
-  std::vector<Place> AllFaulty() const;
+  bool HasFaultyCorner(const Place& voxel) const;
   void Set(const Place& voxel, int label);
+  void NoteRough(const Place& voxel);
   bool Apply(const std::vector<LabelChange>& changes);
 
   void RankLabels(const RepairOptions& options);
-  void MendGroups(const std::vector<Place>& faulty, Monitor& monitor);
+  void MendGroups(Monitor& monitor);
+  std::vector<Place> GroupFrom(const Place& start, PointFlags& grouped) const;
   void MendGroup(const std::vector<Place>& group, Monitor& monitor);
   std::vector<LabelChange> TakeBackFrom(std::size_t begin);
   bool MendPlaces(const std::vector<Place>& group, std::size_t begin, const Care& care, Monitor& monitor);
   bool MendCarefully(const std::vector<Place>& group, Monitor& monitor);
   void MendGreedily(const std::vector<Place>& group, const Care& care, Monitor& monitor);
-  void MendOneByOne(const std::vector<Place>& faulty, Monitor& monitor);
+  void MendFrom(const Place& start, Monitor& monitor);
+  void MendOneByOne(Monitor& monitor);
+  class Promises;
+  void Consider(const Place& voxel, const Care& care, Promises& promises);
   bool MendByOne(const Place& point, const Care& care);
   bool MendPlace(const Place& point, const Care& care);
   bool Climb(const Place& point);
   LabelChange BestChange(const Place& voxel, const Care& care, double& score);
+  bool TakeBackAt(Id voxel);
   void TakeBack(Monitor& monitor);
   void Improve(Monitor& monitor);
   bool ImproveAround(const Place& voxel);
 
   LabelImage& Image;
-  const LabelImage Before; ///< bodies are told from fragments in the image as it came
-  const LabelLattice Original;
+  FirstLabels First; ///< bodies are told from fragments in the image as it came
   const LabelLattice& Lattice;
   const MaterialContacts& Known;
+  PointFlags Faulty;
   RepairCost Cost;
   RepairSearch Search;
-  std::vector<bool> Faulty;     ///< by lattice point
-  std::map<Id, int> First;      ///< label that a changed voxel had at first
-  std::map<Id, int> Searched;   ///< how often searches changed a voxel
   std::map<int, int> Rank;      ///< of labels: climbing goes up
-  std::vector<LabelChange> Log; ///< all changes so far
+  int Top = 0;                  ///< the label of highest rank
+  std::vector<LabelChange> Log; ///< the changes to the group in work
   double Spent = 0;             ///< what the changes of searches cost at careful prices
-  std::vector<Id> Rough;        ///< voxels changed without a complete search
+  std::vector<Id> Rough;        ///< voxels changed without a complete search, some of them
   Id PlaceSteps = 0;            ///< left for MendPlace()
   Id Steps = 0;                 ///< left for Improve()
 };

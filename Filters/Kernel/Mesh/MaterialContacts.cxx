@@ -13,7 +13,7 @@ namespace
 struct LayerFindings
 {
   std::vector<std::array<int, 2>> pairs; ///< the smaller id first, ascending, each once
-  std::vector<std::array<Id, 2>> voxels; ///< (material, count), one entry a run
+  std::vector<std::array<Id, 2>> voxels; ///< (material, count), ascending, one entry a material
 };
 
 /// Rows of a slice, with background where there is none.
@@ -79,10 +79,30 @@ void SortUnique(std::vector<std::array<int, 2>>& pairs)
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
+/// One entry a material.
+void SumCounts(std::vector<std::array<Id, 2>>& voxels)
+{
+  std::sort(voxels.begin(), voxels.end());
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < voxels.size(); ++n)
+  {
+    if (kept > 0 && voxels[kept - 1][0] == voxels[n][0])
+    {
+      voxels[kept - 1][1] += voxels[n][1];
+    }
+    else
+    {
+      voxels[kept++] = voxels[n];
+    }
+  }
+  voxels.resize(kept);
+}
+
 void CountSlice(const LabelImage& image, Id k, LayerFindings& out)
 {
   const Id area = image.grid.size[0] * image.grid.size[1];
   const int* slice = image.labels.data() + k * area;
+  std::size_t compressed = 0;
   for (Id begin = 0; begin < area;)
   {
     Id end = begin + 1;
@@ -92,10 +112,27 @@ void CountSlice(const LabelImage& image, Id k, LayerFindings& out)
     }
     out.voxels.push_back({ slice[begin], end - begin });
     begin = end;
+    if (out.voxels.size() >= compressed + 4096)
+    {
+      SumCounts(out.voxels);
+      compressed = out.voxels.size();
+    }
   }
+  SumCounts(out.voxels);
+  out.voxels.shrink_to_fit();
 }
 
 } // namespace
+
+void MaterialContacts::Add(int a, int b)
+{
+  this->Pairs.insert(Key(a, b));
+  if (a >= 0 && b >= 0 && a < 64 && b < 64)
+  {
+    this->Low[static_cast<std::size_t>(a)] |= 1ull << b;
+    this->Low[static_cast<std::size_t>(b)] |= 1ull << a;
+  }
+}
 
 MaterialContacts::MaterialContacts(const LabelImage& image, Monitor& monitor)
 {
@@ -127,7 +164,7 @@ MaterialContacts::MaterialContacts(const LabelImage& image, Monitor& monitor)
   {
     for (const auto& pair : layer.pairs)
     {
-      this->Pairs.insert(Key(pair[0], pair[1]));
+      this->Add(pair[0], pair[1]);
     }
     for (const auto& run : layer.voxels)
     {

@@ -16,7 +16,14 @@ class MaterialContacts
 public:
   MaterialContacts(const LabelImage& image, Monitor& monitor);
 
-  bool Touch(int a, int b) const { return a == b || this->Pairs.count(Key(a, b)) != 0; }
+  bool Touch(int a, int b) const
+  {
+    if (a >= 0 && b >= 0 && a < 64 && b < 64)
+    {
+      return a == b || ((this->Low[static_cast<std::size_t>(a)] >> b) & 1u) != 0;
+    }
+    return a == b || this->Pairs.count(Key(a, b)) != 0;
+  }
   /// The voxels of a material.
   Id Voxels(int material) const
   {
@@ -33,7 +40,10 @@ private:
     return (low << 32) | high;
   }
 
+  void Add(int a, int b);
+
   std::unordered_set<unsigned long long> Pairs;
+  std::array<unsigned long long, 64> Low{}; ///< for ids below 64: a bit for each that touches
   std::vector<Id> Counts;
 };
 

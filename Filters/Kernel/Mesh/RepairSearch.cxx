@@ -21,7 +21,7 @@ void RepairSearch::Watch(const Place& voxel)
   for (int q = 0; q < 8; ++q)
   {
     const Place point = LabelLattice::CornerOf(voxel, q);
-    const bool matters = !this->Faulty[static_cast<std::size_t>(this->Lattice.PointIndex(point))];
+    const bool matters = !this->Faulty.At(point);
     if (matters && std::find(this->Watched.begin(), this->Watched.end(), point) == this->Watched.end())
     {
       this->Watched.push_back(point);
@@ -54,7 +54,7 @@ int RepairSearch::Remaining(Place& first) const
   return static_cast<int>(apart.size());
 }
 
-std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point) const
+std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point)
 {
   std::vector<Option> options;
   const Block block = this->Lattice.BlockAt(point);
@@ -66,6 +66,8 @@ std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point) co
       continue;
     }
     const int own = block.labels[static_cast<std::size_t>(q)];
+    const VoxelFaults faults(this->Lattice.Around(voxel), this->Lattice.Faults());
+    const int before = faults.Now();
     for (std::size_t p = 0; p < 8; ++p)
     {
       const int label = block.labels[p];
@@ -73,7 +75,9 @@ std::vector<RepairSearch::Option> RepairSearch::OptionsAt(const Place& point) co
                          block.labels.begin() + static_cast<std::ptrdiff_t>(p);
       if (first && label != own && !this->IsExcluded({ voxel, own, label }))
       {
-        options.push_back({ { voxel, own, label }, 0, 0 });
+        const LabelChange change{ voxel, own, label };
+        options.push_back(
+          { change, this->Cost.Of(change, faults, this->Now.prices), faults.With(label) - before });
       }
     }
   }
@@ -98,14 +102,6 @@ void RepairSearch::Search(double cost)
     return;
   }
   std::vector<Option> options = this->OptionsAt(point);
-  for (Option& option : options)
-  {
-    Surroundings around = this->Lattice.Around(option.change.voxel);
-    option.cost = this->Cost.Of(option.change, this->Now.prices);
-    const int before = this->Lattice.CountFaults(around);
-    around.labels[13] = option.change.to;
-    option.faults = this->Lattice.CountFaults(around) - before;
-  }
   std::stable_sort(options.begin(), options.end(),
                    [](const Option& a, const Option& b) { return a.faults + a.cost < b.faults + b.cost; });
   const std::size_t excluded = this->Excluded.size();
@@ -119,6 +115,7 @@ void RepairSearch::Search(double cost)
     {
       ++this->Steps;
       const std::size_t watched = this->Watched.size();
+      this->First.Keep(this->Lattice.VoxelIndex(option.change.voxel));
       this->LabelOf(option.change.voxel) = option.change.to;
       this->Path.push_back(option.change);
       this->Watch(option.change.voxel);

@@ -2,6 +2,7 @@
 // The cheapest changes of labels that mend a few lattice points.
 #pragma once
 
+#include "PointFlags.h"
 #include "RepairCost.h"
 
 namespace lamina
@@ -21,10 +22,11 @@ public:
     double dearest = 1e300; ///< no single change may cost more
   };
 
-  /// labels: those that the lattice sees; faulty: by lattice point. All outlive the search.
-  RepairSearch(std::vector<int>& labels, const LabelLattice& lattice, RepairCost& cost,
-               const std::vector<bool>& faulty)
+  /// labels: those that the lattice sees; first: as they came. All outlive the search.
+  RepairSearch(std::vector<int>& labels, FirstLabels& first, const LabelLattice& lattice, RepairCost& cost,
+               const PointFlags& faulty)
     : Labels(labels)
+    , First(first)
     , Lattice(lattice)
     , Cost(cost)
     , Faulty(faulty)
@@ -49,15 +51,16 @@ private:
   void Search(double cost);
   /// Faulty points that matter now; the least number of changes that they need.
   int Remaining(Place& first) const;
-  std::vector<Option> OptionsAt(const Place& point) const;
+  std::vector<Option> OptionsAt(const Place& point);
   bool IsExcluded(const LabelChange& change) const;
   int& LabelOf(const Place& v) { return this->Labels[static_cast<std::size_t>(this->Lattice.VoxelIndex(v))]; }
   void Watch(const Place& voxel);
 
   std::vector<int>& Labels;
+  FirstLabels& First;
   const LabelLattice& Lattice;
   RepairCost& Cost;
-  const std::vector<bool>& Faulty;
+  const PointFlags& Faulty;
   std::vector<Place> Goal;
   std::vector<Place> Watched; ///< the goal, and the corners of the voxels changed
   std::vector<LabelChange> Path;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimplePoint.h"
 
-#include <array>
-#include <cstdlib>
-
 namespace lamina
 {
 
@@ -13,56 +10,59 @@ namespace
 constexpr int Centre = 13;
 constexpr Neighbourhood All = (1u << 27) - 1;
 
-struct Tables
+constexpr Neighbourhood Repeat(Neighbourhood row, int step, int count)
 {
-  std::array<Neighbourhood, 27> corners{}; ///< the 26-neighbours of each voxel, inside the block
-  std::array<Neighbourhood, 27> faces{};   ///< the 6-neighbours
-  Neighbourhood near18 = 0;                ///< voxels that share a face or an edge with the centre
-  Neighbourhood near6 = 0;                 ///< a face
-
-  Tables()
-  {
-    for (int a = 0; a < 27; ++a)
-    {
-      for (int b = 0; b < 27; ++b)
-      {
-        const int di = std::abs(a % 3 - b % 3);
-        const int dj = std::abs(a / 3 % 3 - b / 3 % 3);
-        const int dk = std::abs(a / 9 - b / 9);
-        const bool near = di <= 1 && dj <= 1 && dk <= 1 && a != b;
-        this->corners[static_cast<std::size_t>(a)] |= near ? 1u << b : 0;
-        this->faces[static_cast<std::size_t>(a)] |= near && di + dj + dk == 1 ? 1u << b : 0;
-        this->near18 |= a == Centre && near && di + dj + dk <= 2 ? 1u << b : 0;
-      }
-    }
-    this->near6 = this->faces[Centre];
-  }
-};
-
-const Tables& TheTables()
-{
-  static const Tables tables;
-  return tables;
+  return count == 0 ? 0u : row | (Repeat(row, step, count - 1) << step);
 }
 
+constexpr Neighbourhood FirstI = Repeat(1u, 3, 9); ///< i is 0
+constexpr Neighbourhood LastI = FirstI << 2;
+constexpr Neighbourhood FirstJ = Repeat(7u, 9, 3);
+constexpr Neighbourhood LastJ = FirstJ << 6;
+
+Neighbourhood AlongI(Neighbourhood set)
+{
+  return ((set & ~LastI) << 1) | ((set & ~FirstI) >> 1);
+}
+Neighbourhood AlongJ(Neighbourhood set)
+{
+  return ((set & ~LastJ) << 3) | ((set & ~FirstJ) >> 3);
+}
+Neighbourhood AlongK(Neighbourhood set)
+{
+  return ((set << 9) & All) | (set >> 9);
+}
+
+/// With the 6-neighbours of each voxel, inside the 27.
+Neighbourhood GrownOverFaces(Neighbourhood set)
+{
+  return set | AlongI(set) | AlongJ(set) | AlongK(set);
+}
+/// With the 26-neighbours.
+Neighbourhood GrownOverCorners(Neighbourhood set)
+{
+  const Neighbourhood rows = set | AlongI(set);
+  const Neighbourhood slabs = rows | AlongJ(rows);
+  return slabs | AlongK(slabs);
+}
+
+constexpr Neighbourhood Near6 = (1u << 4) | (1u << 10) | (1u << 12) | (1u << 14) | (1u << 16) | (1u << 22);
+constexpr Neighbourhood CubeCorners = 0x45u | (0x45u << 18) | (1u << 8) | (1u << 26);
+constexpr Neighbourhood Near18 = All & ~CubeCorners & ~(1u << Centre);
+
 /// The pieces of `set` that hold a voxel of `contact`.
-int CountPieces(Neighbourhood set, Neighbourhood contact, const std::array<Neighbourhood, 27>& neighbours)
+template<typename Grown>
+int CountPieces(Neighbourhood set, Neighbourhood contact, const Grown& grown)
 {
   int pieces = 0;
   Neighbourhood left = set;
   while (const Neighbourhood seeds = left & contact)
   {
-    Neighbourhood front = seeds & (~seeds + 1);
-    Neighbourhood piece = front;
-    while (front)
+    Neighbourhood piece = seeds & (~seeds + 1);
+    for (Neighbourhood before = 0; piece != before;)
     {
-      Neighbourhood grown = 0;
-      for (int v = 0; v < 27; ++v)
-      {
-        grown |= (front >> v) & 1u ? neighbours[static_cast<std::size_t>(v)] : 0;
-      }
-      front = grown & set & ~piece;
-      piece |= front;
+      before = piece;
+      piece = grown(piece) & set;
     }
     left &= ~piece;
     ++pieces;
@@ -75,13 +75,12 @@ int CountPieces(Neighbourhood set, Neighbourhood contact, const std::array<Neigh
 int PiecesOverCorners(Neighbourhood set)
 {
   const Neighbourhood around = All & ~(1u << Centre);
-  return CountPieces(set & around, around, TheTables().corners);
+  return CountPieces(set & around, around, GrownOverCorners);
 }
 
 int PiecesOverFaces(Neighbourhood set)
 {
-  const Tables& tables = TheTables();
-  return CountPieces(set & tables.near18, tables.near6, tables.faces);
+  return CountPieces(set & Near18, Near6, GrownOverFaces);
 }
 
 } // namespace lamina

@@ -5,7 +5,7 @@
 #include "LabelLattice.h"
 #include "LabelRepair.h"
 
-#include <set>
+#include <algorithm>
 
 namespace lamina
 {
@@ -13,15 +13,19 @@ namespace lamina
 RepairReport RepairTopology(LabelImage& image, const RepairOptions& options, Monitor& monitor)
 {
   const LabelLattice lattice(image, options);
-  const FaultScan scan = ScanFaults(image, lattice, monitor);
+  FaultScan scan = ScanFaults(image, lattice, monitor);
   RepairReport report = scan.counts;
-  if (scan.points.empty() || monitor.Cancelled())
+  if (scan.points.Next(0) == scan.points.End() || monitor.Cancelled())
   {
     return report;
   }
   const MaterialContacts known(image, monitor);
-  LabelRepair repair(image, options, lattice, known);
-  report.remaining = repair.Run(scan.points, monitor);
+  if (monitor.Cancelled())
+  {
+    return report;
+  }
+  LabelRepair repair(image, options, lattice, known, std::move(scan.points));
+  report.remaining = repair.Run(monitor);
   report.changed = repair.Changed();
   return report;
 }
@@ -29,19 +33,27 @@ RepairReport RepairTopology(LabelImage& image, const RepairOptions& options, Mon
 std::vector<Id> FindTopologyFaults(const LabelImage& image, const RepairOptions& options, Monitor& monitor)
 {
   const LabelLattice lattice(image, options);
-  std::set<Id> voxels;
-  for (const auto& point : ScanFaults(image, lattice, monitor).points)
+  std::vector<bool> near(image.labels.size(), false);
+  const PointFlags points = ScanFaults(image, lattice, monitor).points;
+  for (Id slot = points.Next(0); slot != points.End(); slot = points.Next(slot + 1))
   {
     for (int q = 0; q < 8; ++q)
     {
-      const auto voxel = LabelLattice::VoxelAround(point, q);
+      const auto voxel = LabelLattice::VoxelAround(points.PlaceOf(slot), q);
       if (lattice.IsVoxel(voxel))
       {
-        voxels.insert(lattice.VoxelIndex(voxel));
+        near[static_cast<std::size_t>(lattice.VoxelIndex(voxel))] = true;
       }
     }
   }
-  return { voxels.begin(), voxels.end() };
+  std::vector<Id> voxels;
+  voxels.reserve(static_cast<std::size_t>(std::count(near.begin(), near.end(), true)));
+  for (auto found = std::find(near.begin(), near.end(), true); found != near.end();
+       found = std::find(found + 1, near.end(), true))
+  {
+    voxels.push_back(found - near.begin());
+  }
+  return voxels;
 }
 
 } // namespace lamina

@@ -34,13 +34,14 @@ struct RepairReport
 /// complement, touches itself across an edge or a corner only (Latecki's well-composedness, for every label),
 /// and none with forbidden neighbours.
 ///
-/// Each place is searched for the cheapest set of changes that makes no new fault. A change that joins bodies
-/// or cuts strands costs more, so vessels and walls of a voxel are thickened where they step diagonally, not
-/// cut; dense noise is mended by as few changes as possible. It ends for every input: a search only ever
-/// lowers the number of faulty places or of faults, and where it finds nothing a voxel climbs in a fixed
-/// order of labels, whose last one can fill the image without a fault. Each voxel takes part in at most four
-/// changes of searches, and so in at most 5 (labels - 1) climbs. Where voxels are frozen there may be no way
-/// out: those places stay and are counted.
+/// Each place is searched for the cheapest set of changes that makes no new fault. A change costs more if it
+/// joins bodies, cuts strands, bridges a piece to itself or takes from what is thin, so vessels and walls of
+/// a voxel are thickened where they step diagonally, not cut. Dense noise is mended part by part, in time and
+/// memory in proportion to the image. It ends for every input: a search only ever lowers the number of faulty
+/// places or of faults, and where it finds nothing a voxel climbs in a fixed order of labels, whose last one
+/// can fill the image without a fault. Each voxel takes part in at most four changes of searches, and so in
+/// at most 5 (labels - 1) climbs. Where voxels are frozen there may be no way out: those places stay and are
+/// counted.
 RepairReport RepairTopology(LabelImage& image, const RepairOptions& options, Monitor& monitor);
 
 /// The voxels of all blocks that RepairTopology would have to mend, ascending.

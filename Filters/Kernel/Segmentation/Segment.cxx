@@ -130,11 +130,12 @@ void NoteClasses(Work& work)
 void CleanUp(Work& work, Monitor& monitor)
 {
   constexpr int mostPasses = 50;
+  const auto share = [](int halfPasses) { return 0.3 + 0.6 * halfPasses / (halfPasses + 2); };
   const segment::IslandLimits limits = segment::MakeIslandLimits(work);
   for (int pass = 1; pass <= mostPasses && !monitor.Cancelled(); ++pass)
   {
     work.report.passes = pass;
-    monitor.Progress(0.3 + 0.6 * (pass - 1) / (pass + 2), "building walls, removing islands");
+    monitor.Progress(share(2 * pass - 2), "building walls, removing islands");
     const Id walls = segment::BuildWalls(work, monitor);
     if (walls > 0)
     {
@@ -156,8 +157,8 @@ void CleanUp(Work& work, Monitor& monitor)
     {
       return;
     }
-    monitor.Progress(0.3 + 0.6 * pass / (pass + 2), "repairing the topology");
-    const Id repaired = segment::Repair(work, monitor);
+    SubMonitor repairing(monitor, share(2 * pass - 1), share(2 * pass));
+    const Id repaired = segment::Repair(work, repairing);
     if (repaired > 0)
     {
       work.Recount("topology repaired", monitor);
@@ -168,7 +169,8 @@ void CleanUp(Work& work, Monitor& monitor)
     }
   }
   segment::BuildWalls(work, monitor);
-  segment::Repair(work, monitor);
+  SubMonitor last(monitor, share(2 * mostPasses), 0.9);
+  segment::Repair(work, last);
 }
 
 /// The first half of the work: what each voxel is by its grey value and its nearest neighbours.

@@ -62,7 +62,7 @@ struct SegmentOptions
   /// as it is.
   int smoothingSweeps = 2;
   /// A disputed voxel with at least this many tissue voxels among its 26 neighbours is a thin vessel:
-  /// blood. 1..27.
+  /// blood, unless a chamber ends there. 1..27.
   int coronaryMajority = 14;
   DisputedChoice disputed = DisputedChoice::Likelier;
   /// Whether shells that partial volume draws between two materials are given to the two.

@@ -3,7 +3,7 @@
 #include "SegmentRules.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace lamina
 {
@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr Id Grain = 4096;
+constexpr int Axes[3] = { 0, 1, 2 };
 
 /// The voxels still undecided, in memory order.
 std::vector<Id> UndecidedVoxels(const std::vector<int>& labels)
@@ -107,23 +108,83 @@ int CountAround(const Work& work, Id voxel, int material)
   return count;
 }
 
-/// A voxel between the thresholds that lies mostly among tissue is the lumen of a thin vessel. One sweep is
-/// all: what it changes never adds to the tissue around another voxel.
+/// Whether blood is three voxels thick within two voxels of one: there ends a chamber, or a wide vessel.
+bool IsAtChamber(const Work& work, Id voxel)
+{
+  const auto& size = work.Size();
+  const Id centre[3] = { voxel % size[0], voxel / size[0] % size[1], voxel / (size[0] * size[1]) };
+  bool found = false;
+  for (Id n = 0; n < 125 && !found; ++n)
+  {
+    const Id place[3] = { centre[0] + n % 5 - 2, centre[1] + n / 5 % 5 - 2, centre[2] + n / 25 - 2 };
+    const bool inner = std::all_of(std::begin(Axes), std::end(Axes),
+                                   [&](int a) { return place[a] > 0 && place[a] + 1 < size[a]; });
+    const Id at = place[0] + size[0] * (place[1] + size[1] * place[2]);
+    found = inner && work.labels[at] == Blood && CountAround(work, at, Blood) == 26;
+  }
+  return found;
+}
+
+/// What a voxel between the thresholds may be.
+enum Lumen : unsigned char
+{
+  NoLumen,
+  AtChamber, ///< mostly among tissue, but a chamber ends here: a dent of its wall, or the mouth of a vessel
+  OfVessel
+};
+
+/// The mouth of a vessel goes to it: two steps lead from a vessel away from chambers into one.
+void AddMouths(const Work& work, const std::vector<Id>& voxels, std::vector<unsigned char>& lumens)
+{
+  for (int step = 0; step < 2; ++step)
+  {
+    std::vector<std::size_t> mouths;
+    for (std::size_t v = 0; v < voxels.size(); ++v)
+    {
+      if (lumens[v] != OfVessel)
+      {
+        continue;
+      }
+      ForEachNeighbour26(work.Size(), voxels[v],
+                         [&](Id n)
+                         {
+                           const auto at = std::lower_bound(voxels.begin(), voxels.end(), n);
+                           const std::size_t index = static_cast<std::size_t>(at - voxels.begin());
+                           if (at != voxels.end() && *at == n && lumens[index] == AtChamber)
+                           {
+                             mouths.push_back(index);
+                           }
+                         });
+    }
+    for (const std::size_t mouth : mouths)
+    {
+      lumens[mouth] = OfVessel;
+    }
+  }
+}
+
+/// A voxel between the thresholds that lies mostly among tissue is the lumen of a thin vessel, but not where
+/// a chamber ends: dents of its wall would be dug into tunnels. One sweep is all: what it changes never adds
+/// to the tissue around another voxel.
 void ResolveVessels(Work& work, const std::vector<Id>& voxels, Monitor& monitor)
 {
-  std::vector<unsigned char> vessel(voxels.size(), 0);
+  std::vector<unsigned char> lumens(voxels.size(), NoLumen);
   monitor.For(static_cast<Id>(voxels.size()), Grain,
               [&](Id begin, Id end)
               {
                 for (Id v = begin; v < end; ++v)
                 {
-                  vessel[v] = CountAround(work, voxels[v], Tissue) >= work.options.coronaryMajority;
+                  if (CountAround(work, voxels[v], Tissue) >= work.options.coronaryMajority)
+                  {
+                    lumens[v] = IsAtChamber(work, voxels[v]) ? AtChamber : OfVessel;
+                  }
                 }
               });
+  AddMouths(work, voxels, lumens);
   Id changed = 0;
   for (std::size_t v = 0; v < voxels.size(); ++v)
   {
-    if (vessel[v])
+    if (lumens[v] == OfVessel)
     {
       work.labels[voxels[v]] = Blood;
       ++changed;

@@ -330,7 +330,8 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     cut = CutMaterialsAtMask(labels, *options.mask, options.openMaterials);
   }
-  const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), monitor).changed;
+  SubMonitor early(monitor, 0, 0.4);
+  const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), early).changed;
   report.repairedVoxels = static_cast<Id>(repaired.size());
   for (std::size_t n = 0; n < repaired.size() && n < 100; ++n)
   {
