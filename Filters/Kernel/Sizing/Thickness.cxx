@@ -60,8 +60,8 @@ public:
       found[static_cast<std::size_t>(k) + 1] =
         this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
     }
-    // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least is
-    // the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
+    // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least
+    // is the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
     // the median.
     std::sort(found.begin(), found.end());
     const double graze = 0.9 * this->Cosine * this->Cosine * found[3];
@@ -108,25 +108,26 @@ private:
     }
   }
 
-  /// Unit normal into the material, each wall triangle weighted by its angle at the point. Openings only
-  /// weigh in where the point has no wall.
+  /// Unit normal into the material, each wall triangle weighted by its angle at the point; zero where the
+  /// point lies on plane patches alone, which are no walls.
   Vec3 Inward(Id point) const
   {
-    Vec3 walls;
-    Vec3 openings;
+    Vec3 sum;
     this->ForTriangles(point,
                        [&](Id t)
                        {
+                         if (this->Surface.Patch(t) != 0)
+                         {
+                           return;
+                         }
                          const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
                          const std::size_t k = c[0] == point ? 0 : (c[1] == point ? 1 : 2);
                          const Vec3 e = this->Corner(t, (k + 1) % 3) - this->Corner(t, k);
                          const Vec3 f = this->Corner(t, (k + 2) % 3) - this->Corner(t, k);
                          const double angle = std::atan2(Norm(Cross(e, f)), Dot(e, f));
-                         (this->Surface.Patch(t) == 0 ? walls : openings) -=
-                           angle * Normalized(this->Outward(t));
+                         sum -= angle * Normalized(this->Outward(t));
                        });
-    const Vec3 normal = Normalized(walls);
-    return Norm2(normal) > 0 ? normal : Normalized(openings);
+    return Normalized(sum);
   }
 
   double EdgeLength(Id point) const

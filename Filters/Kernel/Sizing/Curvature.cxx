@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Curvature.h"
+
+#include "SheetStencil.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+namespace lamina
+{
+namespace
+{
+
+constexpr Id Grain = 512;
+/// How far the fit reaches, in mean edges around the point. Two edges carry the residual noise of surfaces
+/// from voxels into the curvature, four round off true bends of a few edges.
+constexpr double Reach = 3;
+/// Points that a fit of six unknowns should have; with fewer the reach grows.
+constexpr std::size_t EnoughPoints = 12;
+constexpr int MostGrowths = 2;
+/// Pivots of the scaled normal equations below this share of the largest: directions without data.
+constexpr double LeastPivot = 1e-9;
+/// Circles are not followed beyond this share of their radius.
+constexpr double MostBend = 0.9;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+struct Frame
+{
+  Vec3 origin;
+  Vec3 u;
+  Vec3 v;
+  Vec3 normal;
+};
+
+Frame MakeFrame(const Vec3& origin, const Vec3& normal)
+{
+  const Vec3 a{ std::abs(normal.x), std::abs(normal.y), std::abs(normal.z) };
+  const Vec3 axis =
+    a.x <= a.y && a.x <= a.z ? Vec3{ 1, 0, 0 } : (a.y <= a.z ? Vec3{ 0, 1, 0 } : Vec3{ 0, 0, 1 });
+  const Vec3 u = Normalized(Cross(normal, axis));
+  return { origin, u, Cross(normal, u), normal };
+}
+
+/// Height over the tangent plane: a + b u + c v + d u^2 / 2 + e u v + f v^2 / 2, in units of `scale`.
+struct Quadric
+{
+  Vector6 c = Vector6::Zero();
+
+  /// The second derivative along the unit direction (x, y).
+  double Bend(double x, double y) const
+  {
+    return this->c[3] * x * x + 2 * this->c[4] * x * y + this->c[5] * y * y;
+  }
+};
+
+/// What a circle of curvature k, tangent to the plane, rises more than its parabola at distance r.
+double CircleOverParabola(double k, double r2)
+{
+  const double bend2 = std::min(k * k * r2, MostBend * MostBend);
+  return k * r2 * (1 / (1 + std::sqrt(1 - bend2)) - 0.5);
+}
+
+struct PointCurvature
+{
+  double maximum = 0;
+  double minimum = 0;
+  Vec3 direction;
+
+  double Strongest() const { return std::max(std::abs(this->maximum), std::abs(this->minimum)); }
+};
+
+class Fitter
+{
+public:
+  Fitter(const TriangleComplex& surface, const SheetNeighbours& neighbours, const Lists& star)
+    : Surface(surface)
+    , Star(star)
+    , Stencil(surface, neighbours)
+  {
+  }
+
+  PointCurvature At(Id point)
+  {
+    PointCurvature strongest;
+    this->Done.clear();
+    for (Id t : Row(this->Star, point))
+    {
+      if (this->Surface.Patch(t) == 0 &&
+          std::find(this->Done.begin(), this->Done.end(), t) == this->Done.end())
+      {
+        const PointCurvature found = this->FitSheet(point, t);
+        if (Norm2(strongest.direction) == 0 || found.Strongest() > strongest.Strongest())
+        {
+          strongest = found;
+        }
+      }
+    }
+    return strongest;
+  }
+
+private:
+  /// The sheet that starts at the triangle `seed` of the point; its triangles at the point are then done.
+  PointCurvature FitSheet(Id point, Id seed)
+  {
+    const Vec3& centre = this->Surface.points[static_cast<std::size_t>(point)];
+    double reach = Reach * this->EdgeLength(point, seed);
+    this->Stencil.Gather(centre, seed, reach);
+    for (int i = 0; i < MostGrowths && this->Stencil.Count() < EnoughPoints; ++i)
+    {
+      reach *= 1.5;
+      this->Stencil.Gather(centre, seed, reach);
+    }
+    for (Id t : Row(this->Star, point))
+    {
+      if (this->Stencil.Has(t))
+      {
+        this->Done.push_back(t);
+      }
+    }
+    const Vec3 normal = this->MeanNormal(centre, reach);
+    if (Norm2(normal) == 0)
+    {
+      return {};
+    }
+    // A first fit finds the tangent plane; in it, the second one takes off what circles rise above parabolas.
+    Frame frame = MakeFrame(centre, normal);
+    Quadric quadric = this->Fit(frame, reach, Quadric{});
+    const double a = quadric.c[0];
+    const Vec3 fitted = Normalized(frame.normal - quadric.c[1] * frame.u - quadric.c[2] * frame.v);
+    frame = MakeFrame(centre + (a * reach) * frame.normal, fitted);
+    quadric = this->Fit(frame, reach, Quadric{});
+    quadric = this->Fit(frame, reach, quadric);
+    return Principal(frame, quadric, reach);
+  }
+
+  double EdgeLength(Id point, Id seed) const
+  {
+    double sum = 0;
+    int count = 0;
+    for (Id t : Row(this->Star, point))
+    {
+      if (this->Surface.materials[static_cast<std::size_t>(t)] ==
+          this->Surface.materials[static_cast<std::size_t>(seed)])
+      {
+        const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          sum += Norm(this->Surface.points[static_cast<std::size_t>(c[(k + 1) % 3])] -
+                      this->Surface.points[static_cast<std::size_t>(c[k])]);
+          ++count;
+        }
+      }
+    }
+    return sum / count;
+  }
+
+  static double Taper(double distance2, double reach)
+  {
+    const double rest = 1 - distance2 / (1.21 * reach * reach);
+    return rest > 0 ? rest : 0;
+  }
+
+  Vec3 MeanNormal(const Vec3& centre, double reach) const
+  {
+    Vec3 sum;
+    for (std::size_t i = 0; i < this->Stencil.Count(); ++i)
+    {
+      sum += Taper(Norm2(this->Stencil.Point(i) - centre), reach) * this->Stencil.Normal(i);
+    }
+    return Normalized(sum);
+  }
+
+  /// Weighted least squares in lengths of `reach`, which keeps the normal equations well conditioned.
+  Quadric Fit(const Frame& frame, double reach, const Quadric& known) const
+  {
+    Matrix6 matrix = Matrix6::Zero();
+    Vector6 right = Vector6::Zero();
+    for (std::size_t i = 0; i < this->Stencil.Count(); ++i)
+    {
+      const Vec3 d = (this->Stencil.Point(i) - frame.origin) * (1 / reach);
+      const double facing = Dot(Normalized(this->Stencil.Normal(i)), frame.normal);
+      const double weight = Taper(Norm2(d), 1) * std::max(0.0, facing);
+      if (weight > 0)
+      {
+        const double x = Dot(d, frame.u);
+        const double y = Dot(d, frame.v);
+        const double r2 = x * x + y * y;
+        const double bend = r2 > 0 ? known.Bend(x, y) / r2 : 0;
+        Vector6 row;
+        row << 1, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
+        matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
+        right += (weight * (Dot(d, frame.normal) - CircleOverParabola(bend, r2))) * row;
+      }
+    }
+    matrix = matrix.selfadjointView<Eigen::Lower>();
+    return { Solve(matrix, right) };
+  }
+
+  static Vector6 Solve(const Matrix6& matrix, const Vector6& right)
+  {
+    const Eigen::LDLT<Matrix6> factors(matrix);
+    const Vector6 pivots = factors.vectorD();
+    if (factors.info() == Eigen::Success && pivots.minCoeff() > LeastPivot * pivots.maxCoeff())
+    {
+      return factors.solve(right);
+    }
+    // Too few points or all in a row: what they do not tell stays zero.
+    Eigen::CompleteOrthogonalDecomposition<Matrix6> orthogonal;
+    orthogonal.setThreshold(std::sqrt(LeastPivot));
+    orthogonal.compute(matrix);
+    return orthogonal.solve(right);
+  }
+
+  /// From the symmetric shape operator of the quadric at its origin (Jiao and Zha).
+  static PointCurvature Principal(const Frame& frame, const Quadric& quadric, double reach)
+  {
+    const Vector6& c = quadric.c;
+    const double slope = std::hypot(c[1], c[2]);
+    const double l = std::hypot(1, slope);
+    const double cosine = slope > 0 ? c[1] / slope : 1;
+    const double sine = slope > 0 ? c[2] / slope : 0;
+    Eigen::Matrix2d hessian;
+    hessian << c[3], c[4], c[4], c[5];
+    Eigen::Matrix2d turn;
+    turn << cosine / l, sine / l, -sine, cosine;
+    // Heights fall where the surface bends away from its normal.
+    const Eigen::Matrix2d shape = (-1 / (l * reach)) * (turn * hessian * turn.transpose());
+    const double mean = 0.5 * (shape(0, 0) + shape(1, 1));
+    const double half = 0.5 * (shape(0, 0) - shape(1, 1));
+    const double spread = std::hypot(half, shape(0, 1));
+    const double angle = 0.5 * std::atan2(shape(0, 1), half);
+    const Vec3 along = (1 / l) * (cosine * frame.u + sine * frame.v + slope * frame.normal);
+    const Vec3 across = cosine * frame.v - sine * frame.u;
+    return { mean + spread, mean - spread, Normalized(std::cos(angle) * along + std::sin(angle) * across) };
+  }
+
+  const TriangleComplex& Surface;
+  const Lists& Star;
+  SheetStencil Stencil;
+  std::vector<Id> Done;
+};
+
+} // namespace
+
+Curvatures FitCurvatures(const TriangleComplex& surface, const Lists& star, Monitor& monitor)
+{
+  const std::size_t count = surface.points.size();
+  Curvatures curvatures{ std::vector<double>(count, 0.0), std::vector<double>(count, 0.0),
+                         std::vector<Vec3>(count) };
+  const SheetNeighbours neighbours = FindSheetNeighbours(surface, star, monitor);
+  if (monitor.Cancelled())
+  {
+    return curvatures;
+  }
+  monitor.For(static_cast<Id>(count), Grain,
+              [&](Id begin, Id end)
+              {
+                Fitter fitter(surface, neighbours, star);
+                for (Id p = begin; p < end; ++p)
+                {
+                  const PointCurvature found = fitter.At(p);
+                  curvatures.maximum[static_cast<std::size_t>(p)] = found.maximum;
+                  curvatures.minimum[static_cast<std::size_t>(p)] = found.minimum;
+                  curvatures.maximumDirection[static_cast<std::size_t>(p)] = found.direction;
+                }
+              });
+  return curvatures;
+}
+
+} // namespace lamina
