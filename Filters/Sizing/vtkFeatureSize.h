@@ -99,7 +99,7 @@ public:
   ///@{
   /**
    * The least number of edges around a circle of the surface's curvature, 3 or more; 0 leaves curvature out.
-   * Sizes do not fall below their minimum for it. Default: 9.
+   * Sizes do not fall below their minimum for it. Default: 12.
    */
   vtkSetMacro(NodesPerCircumference, int);
   vtkGetMacro(NodesPerCircumference, int);
@@ -142,7 +142,7 @@ private:
   double MaximumSize = 0.0;
   double Gradient = 0.3;
   double ConeAngle = 15.0;
-  int NodesPerCircumference = 9;
+  int NodesPerCircumference = 12;
   double EdgePerLayer = 8.0;
   std::vector<double> MaterialSizings; // five numbers an entry
 };

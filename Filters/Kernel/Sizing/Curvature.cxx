@@ -13,9 +13,11 @@ namespace
 {
 
 constexpr Id Grain = 512;
-/// How far the fit reaches, in mean edges around the point. Two edges carry the residual noise of surfaces
-/// from voxels into the curvature, four round off true bends of a few edges.
-constexpr double Reach = 3;
+/// How far the fit reaches, in the longest mean edges of a point's surroundings (see WideEdges): about three
+/// rings. A length and not a number of rings, as rings shrink where triangles do; two edges would carry the
+/// residual noise of surfaces from voxels into the curvature, four round off true bends of a few edges.
+constexpr double Reach = 2.75;
+constexpr int WideRings = 2;
 /// Points that a fit of six unknowns should have; with fewer the reach grows.
 constexpr std::size_t EnoughPoints = 12;
 constexpr int MostGrowths = 2;
@@ -23,6 +25,9 @@ constexpr int MostGrowths = 2;
 constexpr double LeastPivot = 1e-9;
 /// Circles are not followed beyond this share of their radius.
 constexpr double MostBend = 0.9;
+/// Distances from the fit that count as usual: this many medians, which are at least this share of the reach.
+constexpr double Tolerated = 3;
+constexpr double LeastResidual = 1e-6;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -49,6 +54,11 @@ struct Quadric
 {
   Vector6 c = Vector6::Zero();
 
+  double At(double x, double y) const
+  {
+    return this->c[0] + this->c[1] * x + this->c[2] * y + 0.5 * (this->c[3] * x * x + this->c[5] * y * y) +
+           this->c[4] * x * y;
+  }
   /// The second derivative along the unit direction (x, y).
   double Bend(double x, double y) const
   {
@@ -75,9 +85,12 @@ struct PointCurvature
 class Fitter
 {
 public:
-  Fitter(const TriangleComplex& surface, const SheetNeighbours& neighbours, const Lists& star)
+  /// `edges`: the edge length around each point.
+  Fitter(const TriangleComplex& surface, const SheetNeighbours& neighbours, const Lists& star,
+         const std::vector<double>& edges)
     : Surface(surface)
     , Star(star)
+    , Edges(edges)
     , Stencil(surface, neighbours)
   {
   }
@@ -106,7 +119,7 @@ private:
   PointCurvature FitSheet(Id point, Id seed)
   {
     const Vec3& centre = this->Surface.points[static_cast<std::size_t>(point)];
-    double reach = Reach * this->EdgeLength(point, seed);
+    double reach = Reach * this->Edges[static_cast<std::size_t>(point)];
     this->Stencil.Gather(centre, seed, reach);
     for (int i = 0; i < MostGrowths && this->Stencil.Count() < EnoughPoints; ++i)
     {
@@ -127,34 +140,16 @@ private:
     }
     // A first fit finds the tangent plane; in it, the second one takes off what circles rise above parabolas.
     Frame frame = MakeFrame(centre, normal);
+    this->Trust.assign(this->Stencil.Count(), 1);
     Quadric quadric = this->Fit(frame, reach, Quadric{});
+    this->Doubt(frame, reach, quadric);
     const double a = quadric.c[0];
     const Vec3 fitted = Normalized(frame.normal - quadric.c[1] * frame.u - quadric.c[2] * frame.v);
     frame = MakeFrame(centre + (a * reach) * frame.normal, fitted);
     quadric = this->Fit(frame, reach, Quadric{});
+    this->Doubt(frame, reach, quadric);
     quadric = this->Fit(frame, reach, quadric);
     return Principal(frame, quadric, reach);
-  }
-
-  double EdgeLength(Id point, Id seed) const
-  {
-    double sum = 0;
-    int count = 0;
-    for (Id t : Row(this->Star, point))
-    {
-      if (this->Surface.materials[static_cast<std::size_t>(t)] ==
-          this->Surface.materials[static_cast<std::size_t>(seed)])
-      {
-        const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          sum += Norm(this->Surface.points[static_cast<std::size_t>(c[(k + 1) % 3])] -
-                      this->Surface.points[static_cast<std::size_t>(c[k])]);
-          ++count;
-        }
-      }
-    }
-    return sum / count;
   }
 
   static double Taper(double distance2, double reach)
@@ -182,7 +177,7 @@ private:
     {
       const Vec3 d = (this->Stencil.Point(i) - frame.origin) * (1 / reach);
       const double facing = Dot(Normalized(this->Stencil.Normal(i)), frame.normal);
-      const double weight = Taper(Norm2(d), 1) * std::max(0.0, facing);
+      const double weight = this->Trust[i] * Taper(Norm2(d), 1) * std::max(0.0, facing);
       if (weight > 0)
       {
         const double x = Dot(d, frame.u);
@@ -197,6 +192,28 @@ private:
     }
     matrix = matrix.selfadjointView<Eigen::Lower>();
     return { Solve(matrix, right) };
+  }
+
+  /// Points far off the fit, measured by the median, are spikes that smoothing has left: they lose weight
+  /// (Geman and McClure's function), so that a few of them do not bend the fit.
+  void Doubt(const Frame& frame, double reach, const Quadric& quadric)
+  {
+    this->Residuals.clear();
+    for (std::size_t i = 0; i < this->Stencil.Count(); ++i)
+    {
+      const Vec3 d = (this->Stencil.Point(i) - frame.origin) * (1 / reach);
+      this->Residuals.push_back(
+        std::abs(Dot(d, frame.normal) - quadric.At(Dot(d, frame.u), Dot(d, frame.v))));
+    }
+    this->Sorted = this->Residuals;
+    const auto middle = this->Sorted.begin() + static_cast<std::ptrdiff_t>(this->Sorted.size() / 2);
+    std::nth_element(this->Sorted.begin(), middle, this->Sorted.end());
+    const double usual = Tolerated * std::max(*middle, LeastResidual);
+    for (std::size_t i = 0; i < this->Residuals.size(); ++i)
+    {
+      const double excess = this->Residuals[i] / usual;
+      this->Trust[i] = 1 / ((1 + excess * excess) * (1 + excess * excess));
+    }
   }
 
   static Vector6 Solve(const Matrix6& matrix, const Vector6& right)
@@ -239,9 +256,65 @@ private:
 
   const TriangleComplex& Surface;
   const Lists& Star;
+  const std::vector<double>& Edges;
   SheetStencil Stencil;
   std::vector<Id> Done;
+  std::vector<double> Trust; ///< weight of each point of the stencil for lying near the fit
+  std::vector<double> Residuals;
+  std::vector<double> Sorted;
 };
+
+double StarEdge(const TriangleComplex& surface, const Lists& star, Id point)
+{
+  double sum = 0;
+  for (Id t : Row(star, point))
+  {
+    const Triangle& c = surface.triangles[static_cast<std::size_t>(t)];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum += Norm(surface.points[static_cast<std::size_t>(c[(k + 1) % 3])] -
+                  surface.points[static_cast<std::size_t>(c[k])]);
+    }
+  }
+  const Id count = star.Count(point);
+  return count > 0 ? sum / (3.0 * static_cast<double>(count)) : 0;
+}
+
+/// The mean edge length around each point or, where that is more, around a point at most WideRings edges
+/// away: edges are short at the spikes that smoothing leaves, where a fit must reach beyond them.
+std::vector<double> WideEdges(const TriangleComplex& surface, const Lists& star, Monitor& monitor)
+{
+  const Id count = static_cast<Id>(surface.points.size());
+  std::vector<double> edges(surface.points.size());
+  monitor.For(count, Grain,
+              [&](Id begin, Id end)
+              {
+                for (Id p = begin; p < end; ++p)
+                {
+                  edges[static_cast<std::size_t>(p)] = StarEdge(surface, star, p);
+                }
+              });
+  for (int ring = 0; ring < WideRings; ++ring)
+  {
+    const std::vector<double> before = edges;
+    monitor.For(count, Grain,
+                [&](Id begin, Id end)
+                {
+                  for (Id p = begin; p < end; ++p)
+                  {
+                    double& edge = edges[static_cast<std::size_t>(p)];
+                    for (Id t : Row(star, p))
+                    {
+                      for (Id q : surface.triangles[static_cast<std::size_t>(t)])
+                      {
+                        edge = std::max(edge, before[static_cast<std::size_t>(q)]);
+                      }
+                    }
+                  }
+                });
+  }
+  return edges;
+}
 
 } // namespace
 
@@ -251,6 +324,7 @@ Curvatures FitCurvatures(const TriangleComplex& surface, const Lists& star, Moni
   Curvatures curvatures{ std::vector<double>(count, 0.0), std::vector<double>(count, 0.0),
                          std::vector<Vec3>(count) };
   const SheetNeighbours neighbours = FindSheetNeighbours(surface, star, monitor);
+  const std::vector<double> edges = WideEdges(surface, star, monitor);
   if (monitor.Cancelled())
   {
     return curvatures;
@@ -258,7 +332,7 @@ Curvatures FitCurvatures(const TriangleComplex& surface, const Lists& star, Moni
   monitor.For(static_cast<Id>(count), Grain,
               [&](Id begin, Id end)
               {
-                Fitter fitter(surface, neighbours, star);
+                Fitter fitter(surface, neighbours, star, edges);
                 for (Id p = begin; p < end; ++p)
                 {
                   const PointCurvature found = fitter.At(p);

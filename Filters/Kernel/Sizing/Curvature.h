@@ -19,11 +19,15 @@ struct Curvatures
 
 /// Fits a quadric to the sheet around each point (X. Jiao, H. Zha: Consistent computation of first- and
 /// second-order differential quantities for surface meshes, Proc. ACM Solid and Physical Modeling 2008) and
-/// takes normal and curvatures from the same fit. The neighbourhood is all of the sheet within three local
-/// edge lengths, with weights that fall to zero at its rim. A sheet ends where other than two triangles meet,
-/// or other materials or patches begin; where several sheets meet each is fitted from its own side and the
-/// most curved one counts. Plane patches (any patch but 0) have no fit: points of them alone get zeros.
-/// `star`: TrianglesOfPoints of the surface.
+/// takes normal and curvatures from the same fit. Ours are the neighbourhood, all of the sheet within about
+/// three edge lengths, with weights that fall to zero at its rim; the trust in points, which falls with their
+/// distance from a first fit, so that single spikes do not count; and what circles rise above parabolas,
+/// which is taken off before the last fit. The offset is free: the point itself may be a spike.
+///
+/// A sheet ends where other than two triangles meet, or other materials or patches begin; where several
+/// sheets meet each is fitted from its own side and the most curved one counts. Plane patches (any patch but
+/// 0) have no fit: points of them alone get zeros. Along a crease inside a sheet the curvature is that of a
+/// rounding of some edge lengths. `star`: TrianglesOfPoints of the surface.
 Curvatures FitCurvatures(const TriangleComplex& surface, const Lists& star, Monitor& monitor);
 
 } // namespace lamina

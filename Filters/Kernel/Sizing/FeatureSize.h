@@ -23,12 +23,12 @@ struct FeatureSizeOptions
 {
   double minimum = 0; ///< least feature size used for edges, a length; 0: 2.6 mean edge lengths of the input
   double maximum = 0; ///< largest feature size, a length; 0: 20 mean edge lengths of the input
-  double gradient = 0.3;         ///< largest slope of the size field, > 0
-  int layers = 6;                ///< layers asked for across a feature, >= 1
-  double anisotropy = 2;         ///< tangential edge over layer thickness, > 0
-  double coneAngle = 15;         ///< half-angle in degrees of the six rays around the normal
-  int nodesPerCircumference = 9; ///< edges around a circle of the surface's curvature; 0: any, else >= 3
-  double edgePerLayer = 8;       ///< longest edge over the thickness of a layer where sizes are clipped, > 0
+  double gradient = 0.3;          ///< largest slope of the size field, > 0
+  int layers = 6;                 ///< layers asked for across a feature, >= 1
+  double anisotropy = 2;          ///< tangential edge over layer thickness, > 0
+  double coneAngle = 15;          ///< half-angle in degrees of the six rays around the normal
+  int nodesPerCircumference = 12; ///< edges around a circle of the surface's curvature; 0: any, else >= 3
+  double edgePerLayer = 8;        ///< longest edge over the thickness of a layer where sizes are clipped, > 0
   std::vector<MaterialSizing> materials; ///< each material at most once
 };
 
