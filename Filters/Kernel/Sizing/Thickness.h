@@ -16,8 +16,8 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material);
 /// ball through the place that touches the boundary at the point has the diameter t / cos(angle to the
 /// normal). The least diameter counts that does not lie far below the median, where rays graze roughness: it
 /// is the wall's thickness in a slab and the diameter of a sphere or a tube. Openings and border planes (any
-/// patch but 0) are no walls: rays pass through them, and points of them alone have none and get the maximum.
-/// `star`: TrianglesOfPoints of the surface.
+/// patch but 0) are no walls: a ray that leaves through one does not count, and points of them alone have no
+/// rays and get the maximum. `star`: TrianglesOfPoints of the surface.
 std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star, int material,
                                      const std::vector<Id>& ids, double maximum, double coneAngle,
                                      Monitor& monitor);
