@@ -12,6 +12,8 @@ namespace
 
 /// Pivots of the scaled normal equations below this share of the largest: directions without data.
 constexpr double LeastPivot = 1e-9;
+/// Where weights reach zero, in units of the reach.
+constexpr double Rim = 1.1;
 /// Circles are not followed beyond this share of their radius.
 constexpr double MostBend = 0.9;
 /// Distances from the fit that count as usual: this many medians, which are at least this share of the reach.
@@ -21,6 +23,7 @@ constexpr double LeastResidual = 1e-6;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
+/// In units of the reach, from the point that is fitted.
 struct Frame
 {
   Vec3 origin;
@@ -38,7 +41,7 @@ Frame MakeFrame(const Vec3& origin, const Vec3& normal)
   return { origin, u, Cross(normal, u), normal };
 }
 
-/// Height over the tangent plane: a + b u + c v + d u^2 / 2 + e u v + f v^2 / 2, in units of `scale`.
+/// Height over the tangent plane: a + b u + c v + d u^2 / 2 + e u v + f v^2 / 2, in units of the reach.
 struct Quadric
 {
   Vector6 c = Vector6::Zero();
@@ -60,12 +63,6 @@ double CircleOverParabola(double k, double r2)
 {
   const double bend2 = std::min(k * k * r2, MostBend * MostBend);
   return k * r2 * (1 / (1 + std::sqrt(1 - bend2)) - 0.5);
-}
-
-double Taper(double distance2, double reach)
-{
-  const double rest = 1 - distance2 / (1.21 * reach * reach);
-  return rest > 0 ? rest : 0;
 }
 
 Vector6 Solve(const Matrix6& matrix, const Vector6& right)
@@ -106,82 +103,84 @@ PointCurvature Principal(const Frame& frame, const Quadric& quadric, double reac
   return { mean + spread, mean - spread, Normalized(std::cos(angle) * along + std::sin(angle) * across) };
 }
 
-/// One fit after another to the same points.
+/// One fit after another to the same points, in lengths of `reach`, which keeps the normal equations well
+/// conditioned.
 class Fitter
 {
 public:
-  Fitter(const SheetStencil& around, QuadricScratch& scratch)
-    : Around(around)
-    , Trust(scratch.trust)
+  Fitter(const SheetStencil& around, const Vec3& centre, double reach, QuadricScratch& scratch)
+    : Samples(scratch.samples)
     , Residuals(scratch.residuals)
-    , Sorted(scratch.sorted)
   {
-    this->Trust.assign(around.Count(), 1);
-  }
-
-  Vec3 MeanNormal(const Vec3& centre, double reach) const
-  {
-    Vec3 sum;
-    for (std::size_t i = 0; i < this->Around.Count(); ++i)
+    this->Samples.clear();
+    for (std::size_t i = 0; i < around.Count(); ++i)
     {
-      sum += Taper(Norm2(this->Around.Point(i) - centre), reach) * this->Around.Normal(i);
+      const Vec3 place = (around.Point(i) - centre) * (1 / reach);
+      const double taper = 1 - Norm2(place) / (Rim * Rim);
+      if (taper > 0)
+      {
+        this->Samples.push_back({ place, Normalized(around.Normal(i)), taper });
+        this->Normal += taper * around.Normal(i);
+      }
     }
-    return Normalized(sum);
+    this->Normal = Normalized(this->Normal);
   }
 
-  /// Weighted least squares in lengths of `reach`, which keeps the normal equations well conditioned.
-  Quadric Fit(const Frame& frame, double reach, const Quadric& known) const
+  /// Coordinates in the frame; points that face away from it do not count (Jiao and Zha).
+  void SetFrame(const Frame& frame)
+  {
+    for (QuadricSample& s : this->Samples)
+    {
+      const Vec3 d = s.place - frame.origin;
+      s.x = Dot(d, frame.u);
+      s.y = Dot(d, frame.v);
+      s.height = Dot(d, frame.normal);
+      s.weight = s.taper * std::max(0.0, Dot(s.normal, frame.normal));
+    }
+  }
+
+  /// Weighted least squares.
+  Quadric Fit(const Quadric& known) const
   {
     Matrix6 matrix = Matrix6::Zero();
     Vector6 right = Vector6::Zero();
-    for (std::size_t i = 0; i < this->Around.Count(); ++i)
+    for (const QuadricSample& s : this->Samples)
     {
-      const Vec3 d = (this->Around.Point(i) - frame.origin) * (1 / reach);
-      const double facing = Dot(Normalized(this->Around.Normal(i)), frame.normal);
-      const double weight = this->Trust[i] * Taper(Norm2(d), 1) * std::max(0.0, facing);
-      if (weight > 0)
-      {
-        const double x = Dot(d, frame.u);
-        const double y = Dot(d, frame.v);
-        const double r2 = x * x + y * y;
-        const double bend = r2 > 0 ? known.Bend(x, y) / r2 : 0;
-        Vector6 row;
-        row << 1, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
-        matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
-        right += (weight * (Dot(d, frame.normal) - CircleOverParabola(bend, r2))) * row;
-      }
+      const double r2 = s.x * s.x + s.y * s.y;
+      const double bend = r2 > 0 ? known.Bend(s.x, s.y) / r2 : 0;
+      Vector6 row;
+      row << 1, s.x, s.y, 0.5 * s.x * s.x, s.x * s.y, 0.5 * s.y * s.y;
+      const Vector6 weighted = (s.trust * s.weight) * row;
+      matrix.noalias() += weighted * row.transpose();
+      right += (s.height - CircleOverParabola(bend, r2)) * weighted;
     }
-    matrix = matrix.selfadjointView<Eigen::Lower>();
     return { Solve(matrix, right) };
   }
 
   /// Points far off the fit, measured by the median, are spikes that smoothing has left: they lose weight
   /// (Geman and McClure's function), so that a few of them do not bend the fit.
-  void Doubt(const Frame& frame, double reach, const Quadric& quadric)
+  void Doubt(const Quadric& quadric)
   {
     this->Residuals.clear();
-    for (std::size_t i = 0; i < this->Around.Count(); ++i)
+    for (const QuadricSample& s : this->Samples)
     {
-      const Vec3 d = (this->Around.Point(i) - frame.origin) * (1 / reach);
-      this->Residuals.push_back(
-        std::abs(Dot(d, frame.normal) - quadric.At(Dot(d, frame.u), Dot(d, frame.v))));
+      this->Residuals.push_back(std::abs(s.height - quadric.At(s.x, s.y)));
     }
-    this->Sorted = this->Residuals;
-    const auto middle = this->Sorted.begin() + static_cast<std::ptrdiff_t>(this->Sorted.size() / 2);
-    std::nth_element(this->Sorted.begin(), middle, this->Sorted.end());
+    const auto middle = this->Residuals.begin() + static_cast<std::ptrdiff_t>(this->Residuals.size() / 2);
+    std::nth_element(this->Residuals.begin(), middle, this->Residuals.end());
     const double usual = Tolerated * std::max(*middle, LeastResidual);
-    for (std::size_t i = 0; i < this->Residuals.size(); ++i)
+    for (QuadricSample& s : this->Samples)
     {
-      const double excess = this->Residuals[i] / usual;
-      this->Trust[i] = 1 / ((1 + excess * excess) * (1 + excess * excess));
+      const double excess = (s.height - quadric.At(s.x, s.y)) / usual;
+      s.trust = 1 / ((1 + excess * excess) * (1 + excess * excess));
     }
   }
 
+  Vec3 Normal; ///< the mean one, a first guess
+
 private:
-  const SheetStencil& Around;
-  std::vector<double>& Trust; ///< weight of each point for lying near the fit
+  std::vector<QuadricSample>& Samples;
   std::vector<double>& Residuals;
-  std::vector<double>& Sorted;
 };
 
 } // namespace
@@ -189,22 +188,22 @@ private:
 PointCurvature FitQuadric(const SheetStencil& around, const Vec3& centre, double reach,
                           QuadricScratch& scratch)
 {
-  Fitter fitter(around, scratch);
-  const Vec3 normal = fitter.MeanNormal(centre, reach);
-  if (Norm2(normal) == 0)
+  Fitter fitter(around, centre, reach, scratch);
+  if (Norm2(fitter.Normal) == 0)
   {
     return {};
   }
   // A first fit finds the tangent plane; in it, the last one takes off what circles rise above parabolas.
-  Frame frame = MakeFrame(centre, normal);
-  Quadric quadric = fitter.Fit(frame, reach, Quadric{});
-  fitter.Doubt(frame, reach, quadric);
-  const double a = quadric.c[0];
+  Frame frame = MakeFrame({}, fitter.Normal);
+  fitter.SetFrame(frame);
+  Quadric quadric = fitter.Fit(Quadric{});
+  fitter.Doubt(quadric);
   const Vec3 fitted = Normalized(frame.normal - quadric.c[1] * frame.u - quadric.c[2] * frame.v);
-  frame = MakeFrame(centre + (a * reach) * frame.normal, fitted);
-  quadric = fitter.Fit(frame, reach, Quadric{});
-  fitter.Doubt(frame, reach, quadric);
-  quadric = fitter.Fit(frame, reach, quadric);
+  frame = MakeFrame(quadric.c[0] * frame.normal, fitted);
+  fitter.SetFrame(frame);
+  quadric = fitter.Fit(Quadric{});
+  fitter.Doubt(quadric);
+  quadric = fitter.Fit(quadric);
   return Principal(frame, quadric, reach);
 }
 

@@ -19,12 +19,24 @@ struct PointCurvature
   double Strongest() const { return std::max(std::abs(this->maximum), std::abs(this->minimum)); }
 };
 
+/// A point of the neighbourhood, in units of the reach from the point that is fitted.
+struct QuadricSample
+{
+  Vec3 place;
+  Vec3 normal;
+  double taper = 0;
+  double trust = 1; ///< falls where the point lies far off a fit
+  double x = 0;     ///< in the frame of the fit
+  double y = 0;
+  double height = 0;
+  double weight = 0;
+};
+
 /// Memory that fits of one thread share.
 struct QuadricScratch
 {
-  std::vector<double> trust;
+  std::vector<QuadricSample> samples;
   std::vector<double> residuals;
-  std::vector<double> sorted;
 };
 
 /// The curvature at `centre` of the quadric that fits the points gathered around it within `reach`; see
