@@ -217,6 +217,47 @@ TEST(Curvature, DoesNotDependOnScalePlaceOrThreads)
   }
 }
 
+TEST(Curvature, SpikesDoNotCount)
+{
+  // What smoothing leaves of voxels: some roughness, and single points half an edge off among short edges.
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 0, 0, 0 }, 1, 5, { 1, 0 });
+  const double edge = MeanEdgeLength(surface);
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> rough(-0.02 * edge, 0.02 * edge);
+  for (Vec3& p : surface.points)
+  {
+    p *= 1 + rough(generator);
+  }
+  int spikes = 0;
+  for (std::size_t p = 0; p < surface.points.size(); p += 97)
+  {
+    const Vec3 at = surface.points[p];
+    for (Vec3& q : surface.points)
+    {
+      if (Norm(q - at) < 1.6 * edge)
+      {
+        q = Norm(q) * Normalized(q + 0.5 * (at - q));
+      }
+    }
+    surface.points[p] = at * (1 + 0.5 * edge);
+    ++spikes;
+  }
+  ASSERT_GT(spikes, 40);
+  const Curvatures found = Fit(surface);
+  std::vector<double> errors;
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    errors.push_back(std::max(std::abs(found.maximum[p] - 1), std::abs(found.minimum[p] - 1)));
+  }
+  std::sort(errors.begin(), errors.end());
+  const double most = errors[errors.size() * 99 / 100];
+  std::printf("%d spikes: errors up to %.1f%% at half, %.1f%% at 99 in 100, %.1f%% at all points\n", spikes,
+              100 * errors[errors.size() / 2], 100 * most, 100 * errors.back());
+  EXPECT_LT(most, 0.16);
+  EXPECT_LT(errors.back(), 0.22) << "twice as much where all points are trusted";
+}
+
 TEST(Curvature, FewPointsAndPlanePatches)
 {
   // An octahedron: six points for six unknowns. A flat box: nothing bends away from its edges.

@@ -181,11 +181,20 @@ TEST(FeatureSize, DoesNotDependOnOrderOrThreadsAndIsIdempotent)
   }
   ThreadMonitor one(1);
   ThreadMonitor three(3);
-  ASSERT_TRUE(ComputeFeatureSize(surface, Wide(5, 0.3), one));
-  ASSERT_TRUE(ComputeFeatureSize(other, Wide(5, 0.3), three));
+  FeatureSizeOptions options = Wide(5, 0.3);
+  options.layers = 2;
+  options.nodesPerCircumference = 12;
+  const auto report = ComputeFeatureSize(surface, options, one);
+  ASSERT_TRUE(report);
+  EXPECT_GT(report->curved, 0);
+  ASSERT_TRUE(ComputeFeatureSize(other, options, three));
   for (std::size_t p = 0; p < order.size(); ++p)
   {
-    EXPECT_EQ(surface.featureSize[p], other.featureSize[static_cast<std::size_t>(order[p])]);
+    const auto q = static_cast<std::size_t>(order[p]);
+    EXPECT_EQ(surface.featureSize[p], other.featureSize[q]);
+    EXPECT_EQ(surface.targetEdgeLength[p], other.targetEdgeLength[q]);
+    EXPECT_EQ(surface.maximumCurvature[p], other.maximumCurvature[q]);
+    EXPECT_TRUE(surface.maximumCurvatureDirection[p] == other.maximumCurvatureDirection[q]);
   }
   auto again = surface.featureSize;
   std::iota(order.begin(), order.end(), Id{ 0 });
