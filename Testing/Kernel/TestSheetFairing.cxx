@@ -84,7 +84,8 @@ TEST(SheetFairing, SpheresStay)
   double volume = 0;
   for (std::size_t p = 0; p < offsets.size(); ++p)
   {
-    EXPECT_LT(std::abs(offsets[p]), 0.003 * 10) << p; // most at the corners of the octahedron, four triangles each
+    EXPECT_LT(std::abs(offsets[p]), 0.003 * 10)
+      << p; // most at the corners of the octahedron, four triangles each
     volume += offsets[p] * fairing.AreaOf(static_cast<Id>(p));
   }
   EXPECT_LT(std::abs(volume), 0.02);

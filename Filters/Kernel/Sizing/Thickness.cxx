@@ -60,8 +60,8 @@ public:
       found[static_cast<std::size_t>(k) + 1] =
         this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
     }
-    // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least is
-    // the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
+    // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least
+    // is the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
     // the median.
     std::sort(found.begin(), found.end());
     const double graze = 0.9 * this->Cosine * this->Cosine * found[3];

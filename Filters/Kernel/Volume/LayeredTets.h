@@ -15,8 +15,8 @@ struct LayeredTetsOptions
 {
   std::vector<int> materials; ///< the solids to mesh; empty: none
   int layers = 6;             ///< across a wall, >= 1
-  double anisotropy = 2;      ///< tangential edge over layer thickness: how far apart middle points stand, > 0
-  double growth = 1.0;        ///< ratio of a layer to the one before it, inwards, > 0
+  double anisotropy = 2; ///< tangential edge over layer thickness: how far apart middle points stand, > 0
+  double growth = 1.0;   ///< ratio of a layer to the one before it, inwards, > 0
   CoreTetsOptions core;
 };
 

@@ -18,8 +18,7 @@ struct TetGenTask
   std::vector<Triangle> facets;
   std::vector<Vec3> inserted; ///< interior points
   std::vector<Vec3> holes;    ///< a point in each part that is not to be meshed
-  std::string
-    switches; ///< without -p, -Q, -M, -J, which are always set, and -m, which follows from the data
+  std::string switches; ///< without -p, -Q, -M, -J, which are always set, and -m, which follows from the data
 };
 
 struct TetGenAnswer
