@@ -190,8 +190,7 @@ TEST(RefineSurface, JunctionsStayBetweenTheSameMaterials)
     for (const auto& curve : before)
     {
       ASSERT_EQ(after.count(curve.first), 1u) << target;
-      // Edges as long as the target cut the two right angles at the rims by up to 0.6 of one of them each.
-      EXPECT_NEAR(after.at(curve.first), curve.second, 0.02 * curve.second + 0.6 * target) << target;
+      EXPECT_NEAR(after.at(curve.first), curve.second, 0.05 * curve.second) << target;
     }
   }
 }
