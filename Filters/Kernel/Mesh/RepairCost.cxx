@@ -290,7 +290,9 @@ double RepairCost::Of(const LabelChange& change, const VoxelFaults& around, cons
   {
     cost += CostOfMinority;
   }
-  cost += CostOfRoughness * (CountBits(losing & Faces) - CountBits(around.Others(change.to) & Faces));
+  const int rougher = CountBits(losing & Faces) - CountBits(around.Others(change.to) & Faces);
+  // A border is no better for losing the voxels that stand out of it where these are a wall or a strand.
+  cost += CostOfRoughness * (harm.thins ? std::max(0, rougher) : rougher);
   for (int n = 1; n < around.LabelCount(); ++n)
   {
     if (!this->Known.Touch(change.to, around.LabelAt(n)))
