@@ -163,6 +163,7 @@ private:
 void CompareWithTryingEverything(unsigned count, Id steps)
 {
   int solved = 0;
+  int above = 0;
   Id ours = 0;
   Id least = 0;
   for (unsigned seed = 0; seed < count; ++seed)
@@ -185,13 +186,16 @@ void CompareWithTryingEverything(unsigned count, Id steps)
       ++solved;
       ours += changed;
       least += optimum;
-      EXPECT_LE(2 * changed, 3 * optimum + 1) << seed; // a half change rounded up
+      // A chorda of two voxels is thickened by three rather than deleted by one.
+      EXPECT_LE(2 * changed, 3 * optimum + 3) << seed;
+      above += 2 * changed > 3 * optimum + 1 ? 1 : 0;
     }
   }
   std::cout << count << " images of 4x4x4, " << solved << " of them solved: " << ours << " changes, " << least
-            << " at least\n";
+            << " at least; more than half as many again in " << above << "\n";
   EXPECT_GE(3 * solved, static_cast<int>(count));
-  EXPECT_LE(2 * ours, 3 * least);
+  EXPECT_LE(10 * ours, 11 * least);
+  EXPECT_LE(20 * above, solved);
 }
 
 /// Repair `count` images of 16x16x16 voxels, of 2 to 6 materials, every second blurred.

@@ -23,7 +23,7 @@ constexpr std::size_t LargeFragment = 14;
 constexpr std::size_t SmallBody = 40;
 constexpr double CostOfNewContact = 3;
 /// For each face more between unlike voxels: a rough border makes a poor surface.
-constexpr double CostOfRoughness = 0.08;
+constexpr double CostOfRoughness = 0.04;
 constexpr Neighbourhood Faces = (1u << 4) | (1u << 10) | (1u << 12) | (1u << 14) | (1u << 16) | (1u << 22);
 /// The last change that closes a wall parts what touched across its edges: hardly a cut.
 constexpr double ShareOfClosing = 0.1;
@@ -290,9 +290,7 @@ double RepairCost::Of(const LabelChange& change, const VoxelFaults& around, cons
   {
     cost += CostOfMinority;
   }
-  const int rougher = CountBits(losing & Faces) - CountBits(around.Others(change.to) & Faces);
-  // A border is no better for losing the voxels that stand out of it where these are a wall or a strand.
-  cost += CostOfRoughness * (harm.thins ? std::max(0, rougher) : rougher);
+  cost += CostOfRoughness * (CountBits(losing & Faces) - CountBits(around.Others(change.to) & Faces));
   for (int n = 1; n < around.LabelCount(); ++n)
   {
     if (!this->Known.Touch(change.to, around.LabelAt(n)))
