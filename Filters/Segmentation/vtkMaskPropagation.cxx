@@ -5,6 +5,7 @@
 #include "ImageBridge.h"
 #include "MaskBridge.h"
 #include "Report.h"
+#include "SliceReslicing.h"
 #include "Stage.h"
 
 #include "Segmentation/MaskPropagation.h"
@@ -180,6 +181,8 @@ int vtkMaskPropagation::RequestData(vtkInformation*, vtkInformationVector** inpu
                             options.levels = this->Levels;
                             options.smoothness = this->Smoothness;
                             options.searchRange = this->SearchRange;
+                            const lamina::SliceReslicing reslicing;
+                            options.warper = &reslicing;
                             lamina::LabelImage full;
                             lamina::AlgorithmMonitor monitor(this);
                             const auto report = lamina::PropagateMask(*grey, *mask, full, options, monitor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 
+#include "SliceReslicing.h"
 #include "vtkMaskPropagation.h"
 #include "vtkMultimaterialSegmentation.h"
 
@@ -10,6 +11,8 @@
 #include <vtkUnsignedShortArray.h>
 
 #include <cmath>
+#include <random>
+#include <thread>
 
 namespace
 {
@@ -297,4 +300,44 @@ TEST(MaskPropagation, EmptyInputGivesEmptyOutput)
   auto filter = Filter(nothing, Mask());
   ExpectFine(filter);
   EXPECT_EQ(Output(filter)->GetNumberOfPoints(), 0);
+}
+
+TEST(SliceReslicing, PullsAsTheKernelDoes)
+{
+  constexpr int width = 31;
+  constexpr int height = 17;
+  std::mt19937 random(3);
+  const auto noise = [&](double range)
+  {
+    lamina::SliceImage image(width, height);
+    std::uniform_real_distribution<double> values(-range, range);
+    for (float& value : image.values)
+    {
+      value = static_cast<float>(values(random));
+    }
+    return image;
+  };
+  const lamina::SliceImage a = noise(100);
+  const lamina::SliceImage b = noise(1);
+  const lamina::SliceField field{ noise(40), noise(40) }; // a good part of it leads outside
+  const auto expected = lamina::SliceWarper().Pull({ &a, &b }, field);
+  std::vector<std::vector<lamina::SliceImage>> pulled(4);
+  std::vector<std::thread> threads;
+  for (auto& images : pulled)
+  {
+    threads.emplace_back([&]() { images = lamina::SliceReslicing().Pull({ &a, &b }, field); });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const auto& images : pulled)
+  {
+    ASSERT_EQ(images.size(), 2u);
+    for (std::size_t p = 0; p < a.values.size(); ++p)
+    {
+      ASSERT_NEAR(images[0].values[p], expected[0].values[p], 0.01) << p;
+      ASSERT_NEAR(images[1].values[p], expected[1].values[p], 1e-4) << p;
+    }
+  }
 }

@@ -96,6 +96,21 @@ TEST(SegmentSkins, NoneBetweenMaterialsThatMayNotTouch)
   const Outcome outcome = Segmented(Tooth(), options);
   EXPECT_EQ(outcome.At(12, 12, 19), 1);
   EXPECT_EQ(outcome.Rule("skin dissolved", 2), -1);
+  ASSERT_FALSE(outcome.report.warnings.empty());
+  EXPECT_NE(outcome.report.warnings[0].find("look like partial volume between materials 0 and 2"),
+            std::string::npos)
+    << outcome.report.warnings[0];
+}
+
+TEST(SegmentSkins, NoWarningOfAFewBetweenMaterialsThatMayNotTouch)
+{
+  GreyImage image = Cube(24, Air);
+  Fill(image, { 3, 3, 3 }, { 20, 20, 20 }, Dentine);
+  Fill(image, { 6, 6, 6 }, { 17, 17, 19 }, Enamel);
+  Fill(image, { 6, 6, 20 }, { 17, 17, 20 }, 0.5 * (Air + Enamel) + 60); // one side of six is thin
+  SegmentOptions options = ToothOptions();
+  options.forbidden = { { { 0, 2 } } };
+  EXPECT_TRUE(Segmented(image, options).report.warnings.empty());
 }
 
 TEST(SegmentSkins, DisputedDecisionsAreNoSkins)

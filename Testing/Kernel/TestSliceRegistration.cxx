@@ -126,7 +126,7 @@ TEST(SliceImage, ComposedShiftsAdd)
   std::fill(a.dx.values.begin(), a.dx.values.end(), 1.5F);
   SliceField b = NoDisplacement(20, 20);
   std::fill(b.dy.values.begin(), b.dy.values.end(), -2.0F);
-  const SliceField both = Compose(a, b);
+  const SliceField both = Compose(a, b, SliceWarper());
   EXPECT_FLOAT_EQ(both.dx.At(7, 7), 1.5F);
   EXPECT_FLOAT_EQ(both.dy.At(7, 7), -2.0F);
   const SliceImage ramp = Draw([](double x, double y) { return static_cast<float>(x + 10 * y); }, 20, 20);
@@ -235,7 +235,7 @@ TEST(SliceRegistration, TheDriftOfAChainIsSmall)
   constexpr int slices = 12;
   for (int k = 1; k <= slices; ++k)
   {
-    chain = Compose(RegisterSlices(slice(k), slice(k - 1), Square, {}), chain);
+    chain = Compose(RegisterSlices(slice(k), slice(k - 1), Square, {}), chain, SliceWarper());
   }
   // Away from where something came in over the border.
   const auto truth = [](double, double) { return std::array<double, 2>{ { -0.6 * slices, 0.35 * slices } }; };

@@ -161,6 +161,8 @@ def try_tooth(folder):
     labels, _, report = segment(image, **options)
     print(f"tooth: skin voxels {skin_voxels(plain)} without and {skin_voxels(labels)} with the rule; "
           f"components {[row['components'] for row in report['materials']]}")
+    with_walls = segment(image, Thresholds=[520, 950])[2]
+    check("partial volume between materials 0 and 2" in str(with_walls["warnings"]), "no warning of walls on the enamel")
     check(skin_voxels(plain) > 10000 and skin_voxels(labels) < 0.001 * skin_voxels(plain), "the skin is left")
     check(critical_blocks(labels) == 0, "critical configurations are left")
     check([row["components"] for row in report["materials"]][1:] == [1, 1], "dentine or enamel fell apart")

@@ -23,7 +23,7 @@ constexpr std::size_t LargeFragment = 14;
 constexpr std::size_t SmallBody = 40;
 constexpr double CostOfNewContact = 3;
 /// For each face more between unlike voxels: a rough border makes a poor surface.
-constexpr double CostOfRoughness = 0.08;
+constexpr double CostOfRoughness = 0.04;
 constexpr Neighbourhood Faces = (1u << 4) | (1u << 10) | (1u << 12) | (1u << 14) | (1u << 16) | (1u << 22);
 /// The last change that closes a wall parts what touched across its edges: hardly a cut.
 constexpr double ShareOfClosing = 0.1;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace lamina
 {
@@ -16,25 +18,40 @@ namespace
 constexpr Id LeastPart = 5;         ///< pixels
 constexpr float ResidualMargin = 3; ///< pixels around the regions where slices are compared
 
-Carried Carry(const CarriedSource& source, CarryMethod method)
+Carried Carry(const CarriedSource& source, CarryMethod method, const SliceWarper& warper)
 {
-  Carried carried;
-  carried.weight = source.weight;
-  const bool still = method == CarryMethod::Shape;
+  std::vector<const SliceImage*> drawn;
   if (source.grey)
   {
-    carried.grey = still ? *source.grey : Warp(*source.grey, *source.field);
+    drawn.push_back(source.grey);
   }
-  for (std::size_t r = 0; r < source.drawn->distances.size(); ++r)
+  for (const SliceImage& distance : source.drawn->distances)
   {
-    const SliceImage& distance = source.drawn->distances[r];
-    const bool shrinks = source.other && source.drawn->depths[r] <= 0 && source.other->depths[r] > 0;
-    if (shrinks)
+    drawn.push_back(&distance);
+  }
+  Carried carried;
+  carried.weight = source.weight;
+  if (method == CarryMethod::Shape)
+  {
+    std::transform(drawn.begin(), drawn.end(), std::back_inserter(carried.distances),
+                   [](const SliceImage* image) { return *image; });
+  }
+  else
+  {
+    carried.distances = warper.Pull(drawn, *source.field);
+  }
+  if (source.grey)
+  {
+    carried.grey = std::move(carried.distances.front());
+    carried.distances.erase(carried.distances.begin());
+  }
+  for (std::size_t r = 0; r < carried.distances.size(); ++r)
+  {
+    if (source.other && source.drawn->depths[r] <= 0 && source.other->depths[r] > 0) // it shrinks
     {
-      carried.distances.emplace_back(distance.width, distance.height, -source.other->depths[r]);
-      continue;
+      std::vector<float>& values = carried.distances[r].values;
+      std::fill(values.begin(), values.end(), -source.other->depths[r]);
     }
-    carried.distances.push_back(still ? distance : Warp(distance, *source.field));
   }
   return carried;
 }
@@ -116,12 +133,12 @@ void CleanUp(const SliceGrid& grid, const std::vector<CarriedSource>& sources, c
 
 CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double noise,
                           const std::vector<CarriedSource>& sources, const std::vector<int>& ids,
-                          CarryMethod method)
+                          CarryMethod method, const SliceWarper& warper)
 {
   std::vector<Carried> carried;
   for (const CarriedSource& source : sources)
   {
-    carried.push_back(Carry(source, method));
+    carried.push_back(Carry(source, method, warper));
   }
   std::vector<SliceImage> distances = Blend(carried);
   CarriedSlice result;

@@ -41,6 +41,6 @@ struct CarriedSlice
 /// is likelier the blended distance decides.
 CarriedSlice CarryToSlice(const SliceGrid& grid, const SliceImage* grey, double noise,
                           const std::vector<CarriedSource>& sources, const std::vector<int>& ids,
-                          CarryMethod method);
+                          CarryMethod method, const SliceWarper& warper);
 
 } // namespace lamina

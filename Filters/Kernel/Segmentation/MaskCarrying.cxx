@@ -65,11 +65,12 @@ void RegisterGap(const CarryWork& work, const MaskGap& gap, GapFields& fields, M
                 {
                   for (Id k = 1; k <= pairs && side == 0 && low > 0; ++k)
                   {
-                    at(fields.toLow, k) = Compose(at(fields.toLow, k), at(fields.toLow, k - 1));
+                    at(fields.toLow, k) = Compose(at(fields.toLow, k), at(fields.toLow, k - 1), *work.warper);
                   }
                   for (Id k = pairs - 1; k >= 0 && side == 1 && high > 0; --k)
                   {
-                    at(fields.toHigh, k) = Compose(at(fields.toHigh, k), at(fields.toHigh, k + 1));
+                    at(fields.toHigh, k) =
+                      Compose(at(fields.toHigh, k), at(fields.toHigh, k + 1), *work.warper);
                   }
                 }
               });
@@ -99,7 +100,7 @@ void FillGap(const CarryWork& work, const MaskGap& gap, const GapFields& fields,
                     SourcesOf(work, slice, work.Drawn(gap.low),
                               fields.toLow.empty() ? nullptr : &fields.toLow[k], work.Drawn(gap.high),
                               fields.toHigh.empty() ? nullptr : &fields.toHigh[k]),
-                    work.ids, method);
+                    work.ids, method, *work.warper);
                   const std::size_t m = static_cast<std::size_t>(method);
                   slices.labels[m][n].assign(carried.labels.begin(), carried.labels.end());
                   slices.residuals[m][n] = carried.residual;

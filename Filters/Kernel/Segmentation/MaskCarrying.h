@@ -43,6 +43,7 @@ struct CarryWork
   SliceStack stack;
   std::vector<CarryMethod> methods; ///< those to try
   SliceRegistrationOptions registration;
+  const SliceWarper* warper = nullptr;
 
   bool Registers() const { return this->methods.back() != CarryMethod::Shape; }
   const SliceImage* Grey(Id slice) const

@@ -93,7 +93,7 @@ Foretold ForetellDrawn(const CarryWork& work, const std::vector<GapEnds>& ends, 
                   const CarriedSlice carried =
                     CarryToSlice(work.grid, work.Grey(f.target->slice), work.stack.noise,
                                  SourcesOf(work, f.target->slice, f.low, f.toLow, f.high, f.toHigh), work.ids,
-                                 work.methods[static_cast<std::size_t>(t % tries)]);
+                                 work.methods[static_cast<std::size_t>(t % tries)], *work.warper);
                   overlaps[static_cast<std::size_t>(t)] = Compare(carried.labels, f.target->labels);
                 }
               });

@@ -261,8 +261,10 @@ Result<MaskPropagationReport> PropagateMask(const GreyImage& grey, const LabelIm
   {
     return fine.GetError();
   }
+  const SliceWarper own;
   MaskPropagationReport report;
   CarryWork work;
+  work.warper = options.warper ? options.warper : &own;
   if (const Result<Done> fine = Prepare(mask, options, work, report, monitor); !fine)
   {
     return fine.GetError();

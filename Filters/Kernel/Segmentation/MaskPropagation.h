@@ -12,6 +12,8 @@
 namespace lamina
 {
 
+class SliceWarper;
+
 struct MaskPropagationOptions
 {
   /// Across which axis the mask was drawn: 0 i, 1 j, 2 k, 3 the one along which drawn slices are sparse.
@@ -32,6 +34,8 @@ struct MaskPropagationOptions
   int levels = 4;          ///< of the registration's pyramid, 1..8
   double smoothness = 1.5; ///< of the displacements: their reach in pixels of each level, 0.5..20
   double searchRange = 16; ///< greatest displacement from slice to slice, in pixels, > 0
+  /// What carries masks and grey values along displacements (SliceImage.h); null: the kernel's own.
+  const SliceWarper* warper = nullptr;
 };
 
 /// A slice that was not drawn.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <sstream>
 
 namespace lamina
 {
@@ -14,6 +16,9 @@ namespace segment
 
 namespace
 {
+
+/// Of the border of material 2: more skins than that and the user is asked.
+constexpr double SuspiciousShare = 0.5;
 
 using Sheets = std::vector<std::vector<SheetVoxel>>;
 
@@ -61,25 +66,12 @@ Sheets OnlySkins(const Work& work, const Sheets& sheets, Monitor& monitor)
   return skins;
 }
 
-/// True if any two materials with another between them may touch.
-bool MayHaveSkins(const Work& work)
+/// All voxels that look like skins between materials that may touch, or between those that may not.
+Sheets FindSkins(const Work& work, SheetsBetween which, Monitor& monitor)
 {
-  return work.options.dissolveSkins &&
-         (work.Materials() > 3 || (work.Materials() == 3 && !work.IsForbidden(Background, Blood)));
-}
-
-} // namespace
-
-void DissolveSkins(Work& work, Monitor& monitor)
-{
-  if (!MayHaveSkins(work))
-  {
-    return;
-  }
-  const Id slices = work.Size()[2];
-  Sheets found(slices);
-  const SheetFinder finder(work);
-  monitor.For(slices, 1,
+  Sheets found(work.Size()[2]);
+  const SheetFinder finder(work, which);
+  monitor.For(work.Size()[2], 1,
               [&](Id begin, Id end)
               {
                 for (Id k = begin; k < end; ++k)
@@ -87,11 +79,83 @@ void DissolveSkins(Work& work, Monitor& monitor)
                   found[k] = finder.Find(k);
                 }
               });
-  if (monitor.Cancelled())
+  return monitor.Cancelled() ? Sheets() : OnlySkins(work, found, monitor);
+}
+
+/// The voxels of a material that share a face with another one.
+Id CountBorder(const Work& work, int material, Monitor& monitor)
+{
+  const auto& size = work.Size();
+  std::vector<Id> counts(size[2], 0);
+  const std::array<Id, 3> steps{ { 1, size[0], size[0] * size[1] } };
+  const auto isBorder = [&](Id v)
+  {
+    const std::array<Id, 3> at{ { v % size[0], v / size[0] % size[1], v / (size[0] * size[1]) } };
+    bool any = false;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      any = any || (at[a] > 0 && work.labels[v - steps[a]] != material) ||
+            (at[a] + 1 < size[a] && work.labels[v + steps[a]] != material);
+    }
+    return any;
+  };
+  monitor.For(size[2], 1,
+              [&](Id begin, Id end)
+              {
+                for (Id v = begin * steps[2]; v < end * steps[2]; ++v)
+                {
+                  counts[v / steps[2]] += work.labels[v] == material && isBorder(v) ? 1 : 0;
+                }
+              });
+  return std::accumulate(counts.begin(), counts.end(), Id{ 0 });
+}
+
+/// Walls are kept between materials that may not touch. Where much of such a wall looks like partial volume
+/// the rule may be the wrong one for this image.
+void WarnOfForbiddenSkins(const Work& work, Monitor& monitor)
+{
+  if (!work.IsForbidden(Background, Blood) || work.Materials() != 3 || work.HasDisputed())
   {
     return;
   }
-  found = OnlySkins(work, found, monitor);
+  Id skins = 0;
+  for (const auto& slice : FindSkins(work, SheetsBetween::Forbidden, monitor))
+  {
+    skins += static_cast<Id>(slice.size());
+  }
+  const Id border = CountBorder(work, Blood, monitor);
+  if (!monitor.Cancelled() && skins > SuspiciousShare * static_cast<double>(border))
+  {
+    std::ostringstream text;
+    text << skins
+         << " voxels of material 1 look like partial volume between materials 0 and 2, whose border has "
+         << border
+         << " voxels, but forbidden contacts keep these two apart; if they touch in truth (as enamel and "
+         << "air do), take the pair 0, 2 out of the forbidden contacts";
+    work.report.warnings.push_back(text.str());
+  }
+}
+
+/// True if any two materials with another between them may touch.
+bool MayHaveSkins(const Work& work)
+{
+  return work.Materials() > 3 || (work.Materials() == 3 && !work.IsForbidden(Background, Blood));
+}
+
+} // namespace
+
+void DissolveSkins(Work& work, Monitor& monitor)
+{
+  if (!work.options.dissolveSkins)
+  {
+    return;
+  }
+  if (!MayHaveSkins(work))
+  {
+    WarnOfForbiddenSkins(work, monitor);
+    return;
+  }
+  const Sheets found = FindSkins(work, SheetsBetween::Allowed, monitor);
   if (monitor.Cancelled())
   {
     return;

@@ -184,9 +184,21 @@ SliceImage Warp(const SliceImage& image, const SliceField& field)
   return result;
 }
 
-SliceField Compose(const SliceField& first, const SliceField& next)
+std::vector<SliceImage> SliceWarper::Pull(const std::vector<const SliceImage*>& images,
+                                          const SliceField& field) const
 {
-  SliceField sum{ Warp(next.dx, first), Warp(next.dy, first) };
+  std::vector<SliceImage> pulled;
+  for (const SliceImage* image : images)
+  {
+    pulled.push_back(Warp(*image, field));
+  }
+  return pulled;
+}
+
+SliceField Compose(const SliceField& first, const SliceField& next, const SliceWarper& warper)
+{
+  std::vector<SliceImage> there = warper.Pull({ &next.dx, &next.dy }, first);
+  SliceField sum{ std::move(there[0]), std::move(there[1]) };
   for (std::size_t p = 0; p < sum.dx.values.size(); ++p)
   {
     sum.dx.values[p] += first.dx.values[p];

@@ -47,8 +47,19 @@ PixelShape MakePixelShape(double spacingX, double spacingY);
 float Sample(const SliceImage& image, float x, float y);
 /// The image pulled back: result(p) = image(p + field(p)).
 SliceImage Warp(const SliceImage& image, const SliceField& field);
+
+/// Pulls images back, as Warp() does, by whatever means. It is called by several threads at once.
+class SliceWarper
+{
+public:
+  virtual ~SliceWarper() = default;
+  /// All of the same size as the field, and at least one.
+  virtual std::vector<SliceImage> Pull(const std::vector<const SliceImage*>& images,
+                                       const SliceField& field) const;
+};
+
 /// First `first`, from where it leads `next`: p -> p + first(p) + next(p + first(p)).
-SliceField Compose(const SliceField& first, const SliceField& next);
+SliceField Compose(const SliceField& first, const SliceField& next, const SliceWarper& warper);
 /// The field that leaves everything where it is.
 SliceField NoDisplacement(Id width, Id height);
 /// Gaussian of standard deviation `sigma`, in pixels of the shorter edge; borders are continued evenly.

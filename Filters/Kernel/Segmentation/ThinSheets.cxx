@@ -48,8 +48,9 @@ double Plateau::LogRatio(double value) const
   return std::log(this->Width / (rootOfTwoPi * this->Values.deviation)) - 0.5 * off * off;
 }
 
-SheetFinder::SheetFinder(const Work& work)
+SheetFinder::SheetFinder(const Work& work, SheetsBetween which)
   : Image(work)
+  , Which(which)
   , Size(work.Size())
 {
   const std::vector<double>& thresholds = work.options.thresholds;
@@ -144,7 +145,7 @@ bool SheetFinder::IsBetween(const Place& p, const std::array<Id, 3>& direction, 
   const int lower = std::min(ends[0], ends[1]);
   const int upper = std::max(ends[0], ends[1]);
   if (reach[0] + reach[1] > 3 || lower < 0 || !(lower < own && own < upper) ||
-      this->Image.IsForbidden(lower, upper))
+      this->Image.IsForbidden(lower, upper) != (this->Which == SheetsBetween::Forbidden))
   {
     return false;
   }

@@ -34,11 +34,18 @@ private:
   double Width;
 };
 
-/// Finds the sheets at most two voxels thick, between classes that may touch, in voxels that no rule made.
+/// Between which materials sheets are looked for.
+enum class SheetsBetween
+{
+  Allowed,  ///< those that may touch
+  Forbidden ///< those that may not
+};
+
+/// Finds the sheets at most two voxels thick in voxels that no rule made.
 class SheetFinder
 {
 public:
-  explicit SheetFinder(const Work& work);
+  SheetFinder(const Work& work, SheetsBetween which);
   /// Those of slice k, in memory order.
   std::vector<SheetVoxel> Find(Id k) const;
 
@@ -64,6 +71,7 @@ private:
   bool IsBody(const Place& p, int own) const;
 
   const Work& Image;
+  SheetsBetween Which;
   std::array<Id, 3> Size;
   std::vector<Plateau> Plateaus; ///< by material
 };
