@@ -150,6 +150,24 @@ Status ReadThickness(vtkPolyData* input, TriangleComplex& surface)
               surface.thickness);
 }
 
+Status ReadCurvatures(vtkPointData* data, vtkIdType count, TriangleComplex& surface)
+{
+  auto status =
+    Take(ReadValues<double>(data, names::MaximumCurvature, count, 1, "points"), surface.maximumCurvature);
+  status = status ? Take(ReadValues<double>(data, names::MinimumCurvature, count, 1, "points"),
+                         surface.minimumCurvature)
+                  : status;
+  std::vector<double> direction;
+  status = status
+             ? Take(ReadValues<double>(data, names::MaximumCurvatureDirection, count, 3, "points"), direction)
+             : status;
+  for (std::size_t i = 0; status && i + 2 < direction.size(); i += 3)
+  {
+    surface.maximumCurvatureDirection.push_back({ direction[i], direction[i + 1], direction[i + 2] });
+  }
+  return status;
+}
+
 Status ReadPointArrays(vtkPolyData* input, TriangleComplex& surface)
 {
   vtkPointData* data = input->GetPointData();
@@ -166,6 +184,7 @@ Status ReadPointArrays(vtkPolyData* input, TriangleComplex& surface)
   status = status ? Take(ReadValues<double>(data, names::TargetEdgeLength, count, 1, "points"),
                          surface.targetEdgeLength)
                   : status;
+  status = status ? ReadCurvatures(data, count, surface) : status;
   return status ? ReadThickness(input, surface) : status;
 }
 
@@ -183,6 +202,19 @@ void WriteThickness(const TriangleComplex& surface, vtkPolyData* output)
     array->SetComponentName(c, std::to_string(surface.sizedMaterials[static_cast<std::size_t>(c)]).c_str());
   }
   output->GetPointData()->AddArray(array);
+}
+
+void WriteCurvatures(const TriangleComplex& surface, vtkPointData* points)
+{
+  SetOrRemove<vtkDoubleArray>(points, names::MaximumCurvature, surface.maximumCurvature);
+  SetOrRemove<vtkDoubleArray>(points, names::MinimumCurvature, surface.minimumCurvature);
+  std::vector<double> direction;
+  direction.reserve(3 * surface.maximumCurvatureDirection.size());
+  for (const Vec3& d : surface.maximumCurvatureDirection)
+  {
+    direction.insert(direction.end(), { d.x, d.y, d.z });
+  }
+  SetOrRemove<vtkDoubleArray>(points, names::MaximumCurvatureDirection, direction, 3);
 }
 
 void WritePatchNames(const TriangleComplex& surface, vtkPolyData* output)
@@ -254,6 +286,7 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   SetOrRemove<vtkUnsignedCharArray>(points, names::JunctionKind, surface.junctionKind);
   SetOrRemove<vtkDoubleArray>(points, names::FeatureSize, surface.featureSize);
   SetOrRemove<vtkDoubleArray>(points, names::TargetEdgeLength, surface.targetEdgeLength);
+  WriteCurvatures(surface, points);
   WriteThickness(surface, output);
   WritePatchNames(surface, output);
 }

@@ -13,6 +13,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+
 vtkStandardNewMacro(vtkFeatureSize);
 
 namespace
@@ -27,10 +29,58 @@ lamina::Report Describe(const lamina::FeatureSizeReport& report)
     .Add("largestSize", report.largestSize)
     .Add("clippedBelow", report.clippedBelow)
     .Add("clippedAbove", report.clippedAbove)
+    .Add("curved", report.curved)
+    .Add("thinWalls", report.thinWalls)
+    .Add("strongestCurvature", report.strongestCurvature)
     .Add("materials", report.materials);
 }
 
+/// Entries of five numbers; ids and layers must be whole.
+lamina::Result<std::vector<lamina::MaterialSizing>> ReadSizings(const std::vector<double>& values)
+{
+  std::vector<lamina::MaterialSizing> sizings;
+  for (std::size_t i = 0; i + 4 < values.size(); i += 5)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const double value = values[i + k];
+      if (!(std::abs(value) < 1e6) || value != std::floor(value))
+      {
+        return lamina::InvalidOption(
+          "entry " + std::to_string(i / 5) + " of MaterialSizings has " + std::to_string(value) +
+          " for the " + (k == 0 ? "material id" : "number of layers") + ": a whole number is needed");
+      }
+    }
+    sizings.push_back({ static_cast<int>(values[i]), static_cast<int>(values[i + 1]), values[i + 2],
+                        values[i + 3], values[i + 4] });
+  }
+  return sizings;
+}
+
 } // namespace
+
+void vtkFeatureSize::AddMaterialSizing(double material, double layers, double anisotropy, double minimum,
+                                       double maximum)
+{
+  this->MaterialSizings.insert(this->MaterialSizings.end(),
+                               { material, layers, anisotropy, minimum, maximum });
+  this->Modified();
+}
+
+void vtkFeatureSize::ClearMaterialSizings()
+{
+  this->MaterialSizings.clear();
+  this->Modified();
+}
+
+void vtkFeatureSize::GetMaterialSizing(int index, double sizing[5])
+{
+  const bool isThere = index >= 0 && index < this->GetNumberOfMaterialSizings();
+  for (std::size_t k = 0; k < 5; ++k)
+  {
+    sizing[k] = isThere ? this->MaterialSizings[5 * static_cast<std::size_t>(index) + k] : 0;
+  }
+}
 
 int vtkFeatureSize::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -55,6 +105,14 @@ int vtkFeatureSize::RequestData(vtkInformation*, vtkInformationVector** inputs, 
     options.layers = this->Layers;
     options.anisotropy = this->Anisotropy;
     options.coneAngle = this->ConeAngle;
+    options.nodesPerCircumference = this->NodesPerCircumference;
+    options.edgePerLayer = this->EdgePerLayer;
+    auto sizings = ReadSizings(this->MaterialSizings);
+    if (!sizings)
+    {
+      return sizings.GetError();
+    }
+    options.materials = std::move(*sizings);
     const auto report = lamina::ComputeFeatureSize(*surface, options, monitor);
     if (!report)
     {
@@ -77,4 +135,12 @@ void vtkFeatureSize::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumSize: " << this->MaximumSize << "\n";
   os << indent << "Gradient: " << this->Gradient << "\n";
   os << indent << "ConeAngle: " << this->ConeAngle << "\n";
+  os << indent << "NodesPerCircumference: " << this->NodesPerCircumference << "\n";
+  os << indent << "EdgePerLayer: " << this->EdgePerLayer << "\n";
+  os << indent << "MaterialSizings:";
+  for (const double value : this->MaterialSizings)
+  {
+    os << " " << value;
+  }
+  os << "\n";
 }

@@ -62,6 +62,9 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
     surface->featureSize.clear();
     surface->targetEdgeLength.clear();
     surface->thickness.clear();
+    surface->maximumCurvature.clear();
+    surface->minimumCurvature.clear();
+    surface->maximumCurvatureDirection.clear();
     output->ShallowCopy(input);
     lamina::WriteSurface(*surface, output);
     lamina::AttachReport(output, "VolumeConservingSmoothing", Describe(*report));

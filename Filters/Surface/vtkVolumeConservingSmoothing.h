@@ -7,8 +7,8 @@
  * surface of one orientation, which is taken as material 1 in background.
  *
  * Output: the same triangles with moved points; arrays on points and triangles pass through, but for
- * FeatureSize, MaterialFeatureSize and TargetEdgeLength, which no longer fit. Lengths are in the unit of the
- * input.
+ * FeatureSize, MaterialFeatureSize, TargetEdgeLength and the curvatures, which no longer fit. Lengths are in
+ * the unit of the input.
  *
  * Edge relaxation that conserves volume: A. Kuprat, A. Khamayseh, D. George and L. Larkey, Volume conserving
  * smoothing for piecewise linear curves, surfaces, and triple lines, J. Comput. Phys. 172 (2001) 99-118,

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <random>
 
 namespace lamina::shapes
 {
@@ -142,6 +143,108 @@ inline void AddCylinder(TriangleComplex& surface, const Vec3& base, double radiu
     }
     add(bottom, offset + j, offset + i);
     add(bottom + 1, offset + along * around + i, offset + along * around + j);
+  }
+}
+
+/// Adds a smooth surface over a periodic parameter grid of `around` x `along` nodes, every other row shifted
+/// by half a step and every node moved by up to `jitter` steps along the surface: its points lie on it
+/// exactly. place(s, t), s and t in [0, 1), turns counter-clockwise seen from pair.second. Not periodic in t:
+/// rows 0 and `along` are left as they are, open.
+inline void AddParametric(TriangleComplex& surface, int around, int along, bool periodicT, double jitter,
+                          MaterialPair pair, const std::function<Vec3(double, double)>& place,
+                          unsigned int seed = 1)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  const Id offset = static_cast<Id>(surface.points.size());
+  const int rows = periodicT ? along : along + 1;
+  for (int k = 0; k < rows; ++k)
+  {
+    const bool isRim = !periodicT && (k == 0 || k == along);
+    for (int i = 0; i < around; ++i)
+    {
+      const double s = i + 0.5 * (k % 2) + move(generator);
+      const double t = k + (isRim ? 0 : move(generator));
+      surface.points.push_back(place(s / around, t / along));
+    }
+  }
+  const auto node = [&](int i, int k) { return offset + (k % rows) * around + i % around; };
+  for (int k = 0; k < along; ++k)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const int up = i + k % 2; // the node half a step on in the next row
+      const Id a = node(i, k);
+      const Id b = node(i + 1, k);
+      const Id c = node(up, k + 1);
+      const Id d = node(up + around - 1, k + 1);
+      surface.triangles.push_back({ { a, b, c } });
+      surface.triangles.push_back({ { a, c, d } });
+      surface.materials.insert(surface.materials.end(), 2, pair);
+    }
+  }
+}
+
+/// Adds a torus around the z axis, of equilateral triangles about `edge` wide, irregular.
+inline void AddTorus(TriangleComplex& surface, double ring, double tube, double edge, double jitter,
+                     MaterialPair pair)
+{
+  constexpr double Pi = 3.14159265358979323846;
+  const int along = static_cast<int>(std::round(2 * Pi * tube / edge / 2)) * 2;
+  const int around = static_cast<int>(std::round(2 * Pi * ring / edge));
+  AddParametric(
+    surface, around, along, true, jitter, pair,
+    [=](double s, double t)
+    {
+      const double r = ring + tube * std::cos(2 * Pi * t);
+      return Vec3{ r * std::cos(2 * Pi * s), r * std::sin(2 * Pi * s), tube * std::sin(2 * Pi * t) };
+    });
+}
+
+/// Adds an open tube along z, of equilateral triangles about `edge` wide, irregular.
+inline void AddTube(TriangleComplex& surface, const Vec3& base, double radius, double height, double edge,
+                    double jitter, MaterialPair pair)
+{
+  constexpr double Pi = 3.14159265358979323846;
+  const int around = static_cast<int>(std::round(2 * Pi * radius / edge));
+  const int along = static_cast<int>(std::round(height / (edge * std::sqrt(0.75)) / 2)) * 2;
+  AddParametric(
+    surface, around, along, false, jitter, pair,
+    [=](double s, double t) {
+      return base + Vec3{ radius * std::cos(2 * Pi * s), radius * std::sin(2 * Pi * s), height * t };
+    });
+}
+
+/// Adds the closed surface of a full cylinder: a tube and two flat ends. The rims are nodes of both.
+inline void AddClosedTube(TriangleComplex& surface, const Vec3& base, double radius, double height,
+                          double edge, double jitter, MaterialPair pair)
+{
+  const Id first = static_cast<Id>(surface.points.size());
+  AddTube(surface, base, radius, height, edge, jitter, pair);
+  const Id last = static_cast<Id>(surface.points.size());
+  constexpr double Pi = 3.14159265358979323846;
+  const Id around = static_cast<Id>(std::round(2 * Pi * radius / edge));
+  surface.points.push_back(base);
+  surface.points.push_back(base + Vec3{ 0, 0, height });
+  for (Id i = 0; i < around; ++i)
+  {
+    const Id j = (i + 1) % around;
+    surface.triangles.push_back({ { last, first + j, first + i } });
+    surface.triangles.push_back({ { last + 1, last - around + i, last - around + j } });
+    surface.materials.insert(surface.materials.end(), 2, pair);
+  }
+}
+
+/// Moves the points of a sphere along it by up to `jitter` times the angle given.
+inline void JitterSphere(TriangleComplex& surface, const Vec3& centre, double radius, double jitter,
+                         unsigned int seed = 3)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  for (Vec3& p : surface.points)
+  {
+    const Vec3 moved = Normalized(p - centre) + Vec3{ move(generator), move(generator), move(generator) };
+    p = centre + radius * Normalized(moved);
   }
 }
 

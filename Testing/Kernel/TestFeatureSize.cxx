@@ -20,6 +20,7 @@ FeatureSizeOptions Wide(double maximum, double gradient = 100)
   options.minimum = 1e-3;
   options.maximum = maximum;
   options.gradient = gradient;
+  options.nodesPerCircumference = 0;
   return options;
 }
 
@@ -180,11 +181,20 @@ TEST(FeatureSize, DoesNotDependOnOrderOrThreadsAndIsIdempotent)
   }
   ThreadMonitor one(1);
   ThreadMonitor three(3);
-  ASSERT_TRUE(ComputeFeatureSize(surface, Wide(5, 0.3), one));
-  ASSERT_TRUE(ComputeFeatureSize(other, Wide(5, 0.3), three));
+  FeatureSizeOptions options = Wide(5, 0.3);
+  options.layers = 2;
+  options.nodesPerCircumference = 12;
+  const auto report = ComputeFeatureSize(surface, options, one);
+  ASSERT_TRUE(report);
+  EXPECT_GT(report->curved, 0);
+  ASSERT_TRUE(ComputeFeatureSize(other, options, three));
   for (std::size_t p = 0; p < order.size(); ++p)
   {
-    EXPECT_EQ(surface.featureSize[p], other.featureSize[static_cast<std::size_t>(order[p])]);
+    const auto q = static_cast<std::size_t>(order[p]);
+    EXPECT_EQ(surface.featureSize[p], other.featureSize[q]);
+    EXPECT_EQ(surface.targetEdgeLength[p], other.targetEdgeLength[q]);
+    EXPECT_EQ(surface.maximumCurvature[p], other.maximumCurvature[q]);
+    EXPECT_TRUE(surface.maximumCurvatureDirection[p] == other.maximumCurvatureDirection[q]);
   }
   auto again = surface.featureSize;
   std::iota(order.begin(), order.end(), Id{ 0 });
@@ -225,6 +235,27 @@ TEST(GradientLimit, AgreesWithAllPairs)
   }
 }
 
+TEST(FeatureSize, BadSizesOfMaterialsAreNamed)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 0, 0, 0 }, 1, 1, { 1, 0 });
+  const auto expect = [&](std::vector<MaterialSizing> materials, const char* word)
+  {
+    FeatureSizeOptions options;
+    options.materials = std::move(materials);
+    ExpectError(surface, options, Failure::InvalidOption, word);
+  };
+  expect({ { 2, 4, 0, 0, 0 } }, "material 2, which the surface lacks; it has 1");
+  expect({ { 0, 4, 0, 0, 0 } }, "numbered from 1");
+  expect({ { 1, 4, 0, 0, 0 }, { 1, 5, 0, 0, 0 } }, "given twice");
+  expect({ { 1, -4, 0, 0, 0 } }, "layers of material 1 is -4");
+  expect({ { 1, 4, -2, 0, 0 } }, "anisotropy of material 1 is -2");
+  expect({ { 1, 4, 0, std::nan(""), 0 } }, "minimum of material 1");
+  expect({ { 1, 4, 0, 0, -1 } }, "maximum of material 1");
+  expect({ { 1, 4, 0, 2, 1 } }, "least feature size of material 1 (2) is above the largest (1)");
+  expect({ { 1, 4, 0, 0, 1e-4 } }, "of material 1");
+}
+
 TEST(FeatureSize, BadInputIsNamed)
 {
   TriangleComplex surface;
@@ -248,10 +279,32 @@ TEST(FeatureSize, BadInputIsNamed)
   options = {};
   options.coneAngle = 90;
   ExpectError(surface, options, Failure::InvalidOption, "coneAngle");
+  options = {};
+  options.nodesPerCircumference = 2;
+  ExpectError(surface, options, Failure::InvalidOption, "nodesPerCircumference is 2");
+  options = {};
+  options.edgePerLayer = 0;
+  ExpectError(surface, options, Failure::InvalidOption, "edgePerLayer is 0");
+  options = {};
+  options.gradient = -0.3;
+  ExpectError(surface, options, Failure::InvalidOption, "gradient is -0.3");
   TriangleComplex open = surface;
   open.triangles.pop_back();
   open.materials.pop_back();
   ExpectError(open, {}, Failure::InvalidInput, "open");
+  ExpectError(open, {}, Failure::InvalidInput, "3 edges in all, the first from point ");
+  TriangleComplex turned = surface;
+  for (Triangle& t : turned.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  ExpectError(turned, {}, Failure::InvalidInput, "material 1 is inside out");
+  TriangleComplex wrong = surface;
+  wrong.materials.pop_back();
+  ExpectError(wrong, {}, Failure::InvalidInput, "32 triangles but 31 material pairs");
+  wrong = surface;
+  wrong.patches.assign(3, 0);
+  ExpectError(wrong, {}, Failure::InvalidInput, "3 patch ids");
   TriangleComplex point = surface;
   std::fill(point.points.begin(), point.points.end(), Vec3{ 1, 1, 1 });
   ExpectError(point, {}, Failure::InvalidInput, "coincide");

@@ -203,11 +203,14 @@ std::optional<Error> CheckClosed(const TriangleComplex& surface, bool manifold, 
                             surface.points[static_cast<std::size_t>(edges[i].b)]));
   }
   const std::string number = std::to_string(edges.size()) + (edges.size() == 1 ? " edge" : " edges");
+  const std::string first =
+    ", the first from point " + std::to_string(edges.front().a) + " to " + std::to_string(edges.front().b);
   const std::string material = "the boundary of material " + std::to_string(edges.front().material);
-  return InvalidInput(
-    isOpen ? material + " is open or turns its normals over (" + number + " in all): close the surface"
-           : material + " meets itself (" + number + " with more than two triangles): part the sheets",
-    places);
+  return InvalidInput(isOpen ? material + " is open or turns its normals over (" + number + " in all" +
+                                 first + "): close the surface"
+                             : material + " meets itself (" + number +
+                                 " with more than two triangles): part the sheets",
+                      places);
 }
 
 } // namespace lamina

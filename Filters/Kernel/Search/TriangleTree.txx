@@ -86,16 +86,27 @@ TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& directi
     return Hit{};
   }
   const Vec3 inverse{ 1 / direction.x, 1 / direction.y, 1 / direction.z };
-  std::array<std::int64_t, tree::StackSize> stack;
-  int top = 0;
-  stack[static_cast<std::size_t>(top++)] = 0;
+  struct Step
+  {
+    std::int64_t node;
+    double entry;
+  };
+  std::array<Step, tree::StackSize> stack;
+  std::size_t top = 0;
+  const auto step = [&](std::int64_t node)
+  {
+    return Step{ node, tree::Entry(this->Nodes[static_cast<std::size_t>(node)].box, origin, inverse, tMin,
+                                   best.t) };
+  };
+  stack[top++] = step(0);
   while (top > 0)
   {
-    const Node& node = this->Nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
-    if (!(tree::Entry(node.box, origin, inverse, tMin, best.t) <= best.t))
+    const Step here = stack[--top];
+    if (!(here.entry <= best.t))
     {
       continue;
     }
+    const Node& node = this->Nodes[static_cast<std::size_t>(here.node)];
     for (std::int64_t i = node.begin; i < node.end; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
@@ -111,12 +122,14 @@ TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& directi
     }
     if (node.left >= 0)
     {
-      const auto entry = [&](std::int64_t child) {
-        return tree::Entry(this->Nodes[static_cast<std::size_t>(child)].box, origin, inverse, tMin, best.t);
-      };
-      const bool leftFirst = entry(node.left) <= entry(node.right);
-      stack[static_cast<std::size_t>(top++)] = leftFirst ? node.right : node.left;
-      stack[static_cast<std::size_t>(top++)] = leftFirst ? node.left : node.right;
+      Step near = step(node.left);
+      Step far = step(node.right);
+      if (!(near.entry <= far.entry))
+      {
+        std::swap(near, far);
+      }
+      stack[top++] = far;
+      stack[top++] = near;
     }
   }
   return best.triangle < 0 ? Hit{} : best;

@@ -2,7 +2,10 @@
 #include "FeatureSize.h"
 
 #include "../Mesh/Closedness.h"
+#include "../Mesh/VolumeCorrection.h"
+#include "Curvature.h"
 #include "GradientLimit.h"
+#include "SizeLimits.h"
 #include "Thickness.h"
 
 #include <algorithm>
@@ -13,81 +16,48 @@ namespace lamina
 namespace
 {
 
-std::string OutOfRange(const char* option, double value, const char* range)
-{
-  return std::string(option) + " is " + std::to_string(value) + ", but must be " + range;
-}
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-std::optional<Error> CheckOptions(const FeatureSizeOptions& o)
+/// A closed boundary turned the wrong way would send all rays outside.
+std::optional<Error> CheckSides(const TriangleComplex& surface, const std::vector<int>& materials)
 {
-  // Written so that NaN fails.
-  const auto isLength = [](double value) { return value >= 0 && std::isfinite(value); };
-  const auto isPositive = [](double value) { return value > 0 && std::isfinite(value); };
-  if (!isLength(o.minimum))
+  const std::vector<double> volumes = MaterialVolumes(surface, materials);
+  for (std::size_t m = 0; m < materials.size(); ++m)
   {
-    return InvalidOption(OutOfRange("minimum", o.minimum, "a length of 0 (automatic) or more"));
-  }
-  if (!isLength(o.maximum))
-  {
-    return InvalidOption(OutOfRange("maximum", o.maximum, "a length of 0 (automatic) or more"));
-  }
-  if (!isPositive(o.gradient))
-  {
-    return InvalidOption(OutOfRange("gradient", o.gradient, "above 0"));
-  }
-  if (o.layers < 1)
-  {
-    return InvalidOption(OutOfRange("layers", o.layers, "1 or more"));
-  }
-  if (!isPositive(o.anisotropy))
-  {
-    return InvalidOption(OutOfRange("anisotropy", o.anisotropy, "above 0"));
-  }
-  if (!(o.coneAngle >= 0 && o.coneAngle <= 60))
-  {
-    return InvalidOption(OutOfRange("coneAngle", o.coneAngle, "in [0, 60] degrees"));
-  }
-  return std::nullopt;
-}
-
-/// The limits in use, from the options or from the mean edge length.
-std::optional<Error> FindLimits(const TriangleComplex& surface, const FeatureSizeOptions& options,
-                                FeatureSizeReport& report)
-{
-  const double edge = MeanEdgeLength(surface);
-  if (!(edge > 0))
-  {
-    return InvalidInput("all points of the surface coincide", { surface.points.front() });
-  }
-  report.minimum = options.minimum > 0 ? options.minimum : 2.6 * edge;
-  report.maximum = options.maximum > 0 ? options.maximum : 20 * edge;
-  if (report.minimum > report.maximum)
-  {
-    return InvalidOption("the least feature size (" + std::to_string(report.minimum) +
-                         ") is above the largest (" + std::to_string(report.maximum) +
-                         "); 0 takes 2.6 and 20 mean edge lengths of " + std::to_string(edge));
+    if (!(volumes[m] > 0))
+    {
+      const auto at = std::find_if(surface.materials.begin(), surface.materials.end(),
+                                   [&](const MaterialPair& pair) { return SideOf(pair, materials[m]) != 0; });
+      const Triangle& t = surface.triangles[static_cast<std::size_t>(at - surface.materials.begin())];
+      return InvalidInput("material " + std::to_string(materials[m]) +
+                            " is inside out or flat (its boundary encloses a volume of " +
+                            std::to_string(volumes[m]) +
+                            "): turn its triangles over (Reverse Sense), or correct BoundaryLabels",
+                          { surface.points[static_cast<std::size_t>(t[0])] });
+    }
   }
   return std::nullopt;
 }
 
 /// Points x materials, NaN where a point does not touch the material; empty if cancelled.
-std::vector<double> MeasureAll(const TriangleComplex& surface, const FeatureSizeOptions& options,
-                               const FeatureSizeReport& report, std::vector<double>& raw, Monitor& monitor)
+std::vector<double> MeasureAll(const TriangleComplex& surface, const Lists& star,
+                               const FeatureSizeOptions& options, const std::vector<SizeLimits>& limits,
+                               FeatureSizeReport& report, Monitor& monitor)
 {
-  const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
-  const std::size_t columns = report.materials.size();
+  const std::size_t columns = limits.size();
   std::vector<double> thickness(surface.points.size() * columns, std::numeric_limits<double>::quiet_NaN());
-  raw.assign(surface.points.size(), report.maximum);
+  std::vector<char> below(surface.points.size(), 0);
   for (std::size_t m = 0; m < columns; ++m)
   {
-    monitor.Progress(0.9 * static_cast<double>(m) / static_cast<double>(columns), "Measuring thickness");
-    const auto ids = PointsOfMaterial(surface, report.materials[m]);
+    monitor.Progress(0.6 * static_cast<double>(m) / static_cast<double>(columns), "Measuring thickness");
+    const double maximum = limits[m].maximum;
+    const auto ids = PointsOfMaterial(surface, limits[m].material);
     auto values =
-      MeasureThickness(surface, star, report.materials[m], ids, report.maximum, options.coneAngle, monitor);
+      MeasureThickness(surface, star, limits[m].material, ids, maximum, options.coneAngle, monitor);
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
-      double& least = raw[static_cast<std::size_t>(ids[i])];
-      least = std::min(least, values[i]);
+      below[static_cast<std::size_t>(ids[i])] |= values[i] < maximum ? 1 : 0;
     }
     LimitGradient(surface.points, ids, options.gradient, values, monitor);
     if (monitor.Cancelled())
@@ -99,41 +69,145 @@ std::vector<double> MeasureAll(const TriangleComplex& surface, const FeatureSize
       thickness[static_cast<std::size_t>(ids[i]) * columns + m] = values[i];
     }
   }
+  report.clippedAbove = std::count(below.begin(), below.end(), 0);
   return thickness;
 }
 
-/// The governing size of each point: the least of its materials, clipped, then limited over all points.
-std::vector<double> Govern(const TriangleComplex& surface, const FeatureSizeOptions& options,
-                           const std::vector<double>& thickness, FeatureSizeReport& report, Monitor& monitor)
+/// The edge length that gives a circle of the surface's curvature its nodes.
+double EdgeForCurvature(const TriangleComplex& surface, std::size_t p, int nodes)
 {
-  const std::size_t columns = report.materials.size();
-  std::vector<double> size(surface.points.size(), report.maximum);
-  std::vector<Id> ids;
-  std::vector<double> values;
-  report.leastSize = std::numeric_limits<double>::infinity();
-  report.largestSize = 0;
-  for (std::size_t p = 0; p < size.size(); ++p)
+  const double curvature =
+    std::max(std::abs(surface.maximumCurvature[p]), std::abs(surface.minimumCurvature[p]));
+  return nodes > 0 && curvature > 0 ? 2 * Pi / (nodes * curvature) : Infinity;
+}
+
+/// Size and edge length of every point that triangles use, before their slopes are limited.
+class Governor
+{
+public:
+  Governor(const TriangleComplex& surface, const FeatureSizeOptions& options,
+           const std::vector<SizeLimits>& limits, FeatureSizeReport& report)
+    : Surface(surface)
+    , Options(options)
+    , Limits(limits)
+    , Report(report)
   {
-    double least = std::numeric_limits<double>::infinity();
+    report.leastSize = Infinity;
+  }
+
+  void Add(const std::vector<double>& thickness, std::size_t p)
+  {
+    const std::size_t columns = this->Limits.size();
+    const double curved = EdgeForCurvature(this->Surface, p, this->Options.nodesPerCircumference);
+    double least = Infinity;
+    double size = Infinity;
+    double edge = Infinity;
+    bool isRaised = false;
+    bool isCurved = false;
+    bool isThin = false;
     for (std::size_t m = 0; m < columns; ++m)
     {
-      least = std::fmin(least, thickness[p * columns + m]);
+      const double wall = thickness[p * columns + m];
+      if (std::isnan(wall))
+      {
+        continue;
+      }
+      const SizeLimits& l = this->Limits[m];
+      const double plain = std::clamp(wall, l.minimum, l.maximum);
+      const double own = std::clamp(std::min(wall, curved / l.Ratio()), l.minimum, l.maximum);
+      const double longest = this->Options.edgePerLayer * wall / l.layers;
+      least = std::min(least, wall);
+      size = std::min(size, own);
+      edge = std::min({ edge, l.Ratio() * own, longest });
+      isRaised |= wall < l.minimum;
+      isCurved |= own < plain;
+      isThin |= longest < l.Ratio() * own;
     }
     if (std::isfinite(least)) // else no triangle uses the point
     {
-      report.leastSize = std::min(report.leastSize, least);
-      report.largestSize = std::max(report.largestSize, least);
-      report.clippedBelow += least < report.minimum;
-      ids.push_back(static_cast<Id>(p));
-      values.push_back(std::clamp(least, report.minimum, report.maximum));
+      this->Report.leastSize = std::min(this->Report.leastSize, least);
+      this->Report.largestSize = std::max(this->Report.largestSize, least);
+      this->Report.clippedBelow += isRaised;
+      this->Report.curved += isCurved;
+      this->Report.thinWalls += isThin;
+      this->Ids.push_back(static_cast<Id>(p));
+      this->Sizes.push_back(size);
+      this->Edges.push_back(edge);
     }
   }
-  LimitGradient(surface.points, ids, options.gradient, values, monitor);
-  for (std::size_t i = 0; i < ids.size(); ++i)
+
+  std::vector<Id> Ids;
+  std::vector<double> Sizes;
+  std::vector<double> Edges;
+
+private:
+  const TriangleComplex& Surface;
+  const FeatureSizeOptions& Options;
+  const std::vector<SizeLimits>& Limits;
+  FeatureSizeReport& Report;
+};
+
+void Govern(TriangleComplex& surface, const FeatureSizeOptions& options,
+            const std::vector<SizeLimits>& limits, const std::vector<double>& thickness,
+            FeatureSizeReport& report, Monitor& monitor)
+{
+  Governor governor(surface, options, limits, report);
+  double steepest = 0;
+  double loosest = 0;
+  for (const SizeLimits& l : limits)
   {
-    size[static_cast<std::size_t>(ids[i])] = values[i];
+    steepest = std::max(steepest, l.Ratio());
+    loosest = std::max(loosest, l.maximum);
   }
-  return size;
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    governor.Add(thickness, p);
+  }
+  monitor.Progress(0.85, "Limiting the slope of the feature size");
+  LimitGradient(surface.points, governor.Ids, options.gradient, governor.Sizes, monitor);
+  LimitGradient(surface.points, governor.Ids, options.gradient * steepest, governor.Edges, monitor);
+  // Points that no triangle uses get the largest.
+  surface.featureSize.assign(surface.points.size(), loosest);
+  surface.targetEdgeLength.assign(surface.points.size(), steepest * loosest);
+  for (std::size_t i = 0; i < governor.Ids.size(); ++i)
+  {
+    surface.featureSize[static_cast<std::size_t>(governor.Ids[i])] = governor.Sizes[i];
+    surface.targetEdgeLength[static_cast<std::size_t>(governor.Ids[i])] = governor.Edges[i];
+  }
+}
+
+/// The work on a checked surface that is not empty, on a copy of its fields' owner.
+std::optional<Error> Size(TriangleComplex& surface, const FeatureSizeOptions& options,
+                          const std::vector<SizeLimits>& limits, FeatureSizeReport& report, Monitor& monitor)
+{
+  const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
+  std::vector<double> thickness = MeasureAll(surface, star, options, limits, report, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  monitor.Progress(0.6, "Fitting curvatures");
+  Curvatures curvatures = FitCurvatures(surface, star, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  surface.maximumCurvature = std::move(curvatures.maximum);
+  surface.minimumCurvature = std::move(curvatures.minimum);
+  surface.maximumCurvatureDirection = std::move(curvatures.maximumDirection);
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    report.strongestCurvature = std::max({ report.strongestCurvature, std::abs(surface.maximumCurvature[p]),
+                                           std::abs(surface.minimumCurvature[p]) });
+  }
+  Govern(surface, options, limits, thickness, report, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  surface.sizedMaterials = report.materials;
+  surface.thickness = std::move(thickness);
+  return std::nullopt;
 }
 
 } // namespace
@@ -151,36 +225,23 @@ Result<FeatureSizeReport> ComputeFeatureSize(TriangleComplex& surface, const Fea
     return *error;
   }
   FeatureSizeReport report;
-  std::vector<double> size(surface.points.size(), 0.0);
-  std::vector<double> thickness;
-  if (!surface.triangles.empty())
+  if (surface.triangles.empty())
   {
-    if (auto error = FindLimits(surface, options, report))
-    {
-      return *error;
-    }
-    report.materials = MaterialsOf(surface);
-    std::vector<double> raw;
-    thickness = MeasureAll(surface, options, report, raw, monitor);
-    if (monitor.Cancelled())
-    {
-      return Cancelled();
-    }
-    report.clippedAbove =
-      std::count_if(raw.begin(), raw.end(), [&](double value) { return value >= report.maximum; });
-    monitor.Progress(0.9, "Limiting the slope of the feature size");
-    size = Govern(surface, options, thickness, report, monitor);
+    return report;
   }
-  if (monitor.Cancelled())
+  const auto limits = FindLimits(surface, options, report);
+  if (!limits)
   {
-    return Cancelled();
+    return limits.GetError();
   }
-  surface.sizedMaterials = report.materials;
-  surface.thickness = std::move(thickness);
-  surface.targetEdgeLength.resize(size.size());
-  std::transform(size.begin(), size.end(), surface.targetEdgeLength.begin(),
-                 [&](double value) { return options.anisotropy / options.layers * value; });
-  surface.featureSize = std::move(size);
+  if (auto error = CheckSides(surface, report.materials))
+  {
+    return *error;
+  }
+  if (auto error = Size(surface, options, *limits, report, monitor))
+  {
+    return *error;
+  }
   monitor.Progress(1, "Feature size known");
   return report;
 }

@@ -4,6 +4,7 @@
 #include "../Search/TriangleTree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -16,6 +17,9 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double NearestHit = 1e-3;
 /// Cosine between a ray and the normal of a wall that it leaves through: flatter hits are grazes.
 constexpr double LeastIncidence = 0.2;
+/// Sine of the angle below which a ray runs in a plane patch and not through it.
+constexpr double AlongPlane = 1e-6;
+constexpr double NoWall = -1;
 
 bool Touches(const MaterialPair& pair, int material)
 {
@@ -33,7 +37,7 @@ public:
     , Maximum(maximum)
     , Cosine(std::cos(coneAngle * Pi / 180))
     , Sine(std::sin(coneAngle * Pi / 180))
-    , Walls(surface.points, surface.triangles, WallsOf(surface, material))
+    , Boundary(surface.points, surface.triangles, BoundaryOf(surface, material))
   {
   }
 
@@ -52,34 +56,47 @@ public:
     const Vec3 v = Cross(inward, u);
     const double nearest = NearestHit * this->EdgeLength(point);
     std::array<double, 7> found;
-    found.fill(this->Diameter(point, inward, 1, nearest));
+    found.fill(std::numeric_limits<double>::infinity());
+    std::size_t count = 0;
+    const auto cast = [&](const Vec3& direction, double cosine)
+    {
+      const double diameter = this->Diameter(point, direction, cosine, nearest);
+      if (diameter != NoWall)
+      {
+        found[count++] = diameter;
+      }
+    };
+    cast(inward, 1);
     for (int k = 0; k < 6 && this->Sine > 0; ++k)
     {
       const double turn = k * Pi / 3;
       const Vec3 across = std::cos(turn) * u + std::sin(turn) * v;
-      found[static_cast<std::size_t>(k) + 1] =
-        this->Diameter(point, this->Cosine * inward + this->Sine * across, this->Cosine, nearest);
+      cast(this->Cosine * inward + this->Sine * across, this->Cosine);
+    }
+    if (count == 0)
+    {
+      return this->Maximum;
     }
     // Where walls are smooth the rays differ by cos^2 of the cone's angle at most (in a slab) and the least
     // is the truth. On a rough surface one may graze a bump next to the point: it is known by its distance to
     // the median.
     std::sort(found.begin(), found.end());
-    const double graze = 0.9 * this->Cosine * this->Cosine * found[3];
+    const double graze = 0.9 * this->Cosine * this->Cosine * found[count / 2];
     return *std::lower_bound(found.begin(), found.end(), graze);
   }
 
 private:
-  static std::vector<Id> WallsOf(const TriangleComplex& surface, int material)
+  static std::vector<Id> BoundaryOf(const TriangleComplex& surface, int material)
   {
-    std::vector<Id> walls;
+    std::vector<Id> boundary;
     for (Id t = 0; t < static_cast<Id>(surface.triangles.size()); ++t)
     {
-      if (Touches(surface.materials[static_cast<std::size_t>(t)], material) && surface.Patch(t) == 0)
+      if (Touches(surface.materials[static_cast<std::size_t>(t)], material))
       {
-        walls.push_back(t);
+        boundary.push_back(t);
       }
     }
-    return walls;
+    return boundary;
   }
 
   const Vec3& Corner(Id triangle, std::size_t k) const
@@ -108,25 +125,26 @@ private:
     }
   }
 
-  /// Unit normal into the material, each wall triangle weighted by its angle at the point. Openings only
-  /// weigh in where the point has no wall.
+  /// Unit normal into the material, each wall triangle weighted by its angle at the point; zero where the
+  /// point lies on plane patches alone, which are no walls.
   Vec3 Inward(Id point) const
   {
-    Vec3 walls;
-    Vec3 openings;
+    Vec3 sum;
     this->ForTriangles(point,
                        [&](Id t)
                        {
+                         if (this->Surface.Patch(t) != 0)
+                         {
+                           return;
+                         }
                          const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
                          const std::size_t k = c[0] == point ? 0 : (c[1] == point ? 1 : 2);
                          const Vec3 e = this->Corner(t, (k + 1) % 3) - this->Corner(t, k);
                          const Vec3 f = this->Corner(t, (k + 2) % 3) - this->Corner(t, k);
                          const double angle = std::atan2(Norm(Cross(e, f)), Dot(e, f));
-                         (this->Surface.Patch(t) == 0 ? walls : openings) -=
-                           angle * Normalized(this->Outward(t));
+                         sum -= angle * Normalized(this->Outward(t));
                        });
-    const Vec3 normal = Normalized(walls);
-    return Norm2(normal) > 0 ? normal : Normalized(openings);
+    return Normalized(sum);
   }
 
   double EdgeLength(Id point) const
@@ -145,17 +163,41 @@ private:
     return sum / count;
   }
 
-  /// Diameter of the ball tangent at the point through the ray's exit, at most the maximum.
+  /// True if a ray from the point leaves the material through a plane patch right there.
+  bool LeavesAtOnce(Id point, const Vec3& direction) const
+  {
+    const ListRow row = Row(this->Star, point);
+    return !this->Surface.patches.empty() &&
+           std::any_of(row.begin(), row.end(),
+                       [&](Id t)
+                       {
+                         return this->Surface.Patch(t) != 0 &&
+                                Touches(this->Surface.materials[static_cast<std::size_t>(t)],
+                                        this->Material) &&
+                                Dot(direction, Normalized(this->Outward(t))) > AlongPlane;
+                       });
+  }
+
+  /// Diameter of the ball tangent at the point through the ray's exit, at most the maximum; NoWall where the
+  /// ray leaves through a plane patch.
   double Diameter(Id point, const Vec3& direction, double cosine, double nearest) const
   {
+    if (this->LeavesAtOnce(point, direction))
+    {
+      return NoWall;
+    }
     const auto leaves = [&](Id t)
     {
       const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
       return c[0] != point && c[1] != point && c[2] != point &&
              Dot(direction, Normalized(this->Outward(t))) > LeastIncidence;
     };
-    const auto hit = this->Walls.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
-                                          nearest, this->Maximum * cosine, leaves);
+    const auto hit = this->Boundary.FirstHit(this->Surface.points[static_cast<std::size_t>(point)], direction,
+                                             nearest, this->Maximum * cosine, leaves);
+    if (hit.triangle >= 0 && this->Surface.Patch(hit.triangle) != 0)
+    {
+      return NoWall;
+    }
     return hit.triangle < 0 ? this->Maximum : std::min(this->Maximum, hit.t / cosine);
   }
 
@@ -165,7 +207,7 @@ private:
   double Maximum;
   double Cosine;
   double Sine;
-  TriangleTree Walls;
+  TriangleTree Boundary;
 };
 
 } // namespace

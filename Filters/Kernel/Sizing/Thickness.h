@@ -15,8 +15,9 @@ std::vector<Id> PointsOfMaterial(const TriangleComplex& surface, int material);
 /// along the angle-weighted normal and at coneAngle (degrees) around it; where one leaves the material, a
 /// ball through the place that touches the boundary at the point has the diameter t / cos(angle to the
 /// normal). The least diameter counts that does not lie far below the median, where rays graze roughness: it
-/// is the wall's thickness in a slab and the diameter of a sphere or a tube. Openings are no walls. `star`:
-/// TrianglesOfPoints of the surface.
+/// is the wall's thickness in a slab and the diameter of a sphere or a tube. Openings and border planes (any
+/// patch but 0) are no walls: a ray that leaves through one does not count, and points of them alone have no
+/// rays and get the maximum. `star`: TrianglesOfPoints of the surface.
 std::vector<double> MeasureThickness(const TriangleComplex& surface, const Lists& star, int material,
                                      const std::vector<Id>& ids, double maximum, double coneAngle,
                                      Monitor& monitor);

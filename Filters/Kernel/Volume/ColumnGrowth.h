@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inner work of GrowColumns(): directions, heights, and their mending until all cells are sound.
+#pragma once
+
+#include "Columns.h"
+
+namespace lamina
+{
+
+class ColumnGrowth
+{
+public:
+  ColumnGrowth(const Wall& wall, const ColumnOptions& options, Monitor& monitor)
+    : W(wall)
+    , Options(options)
+    , Watch(monitor)
+  {
+  }
+  Result<Columns> Run();
+
+private:
+  void SetFractions();
+  /// Shrink columns, and stop them at last, until all is sound. False: it did not come to an end.
+  bool Mend(Monitor& watch);
+  /// Fair poor prisms and mend what is not sound then; undone if that costs a column.
+  void Fair(Monitor& watch);
+
+  // Directions (ColumnDirections.cxx).
+  void FindDirections();
+  void SmoothDirections();
+  double Sight(Id v, const Vec3& direction) const;
+
+  // Heights (ColumnHeights.cxx).
+  void SetHeights();
+  void LimitSlopes();
+  void Shrink(Id v, double factor);
+  void Stop(Id v);
+
+  // Cells and fronts (ColumnMending.cxx).
+  bool IsSound(Id triangle) const;
+  Id MendCells(int round);
+  Id MendFronts(int round);
+  std::vector<Vec3> FrontPoints() const;
+
+  // Tops moved to where the cells are best (ColumnFairing.cxx).
+  /// Move the tops of columns beside cells below `target` to where the worst cell around is best; never
+  /// higher. Returns how often one moved.
+  Id FairColumns(double target);
+  /// The columns of triangles with a cell below `target`.
+  std::vector<Id> PoorColumns(double target);
+  /// Takes out of `nodes` some of which no two share a triangle.
+  std::vector<Id> TakeApart(std::vector<Id>& nodes) const;
+  bool ImproveColumn(Id v, double target);
+  void PlaceTop(Id v, const Vec3& offset);
+  /// The least quality of the cells on a triangle, or around a node; at most `enough`. Once it is known to be
+  /// no more than `atLeast` the rest is not looked at.
+  double WorstOf(Id triangle, double enough) const;
+  double WorstAround(Id v, double atLeast, double enough) const;
+
+  static constexpr int MostRounds = 120;
+  double WallEdge(Id v) const { return this->Edge[static_cast<std::size_t>(v)]; }
+
+  const Wall& W;
+  const ColumnOptions& Options;
+  Monitor& Watch;
+  Columns C;
+  std::vector<Vec3> Normals; ///< of triangles
+  std::vector<double> Seen;  ///< least cosine between a node's direction and its faces
+  std::vector<double> Edge;  ///< mean length of the wall's edges at a node
+  /// Clearance of the wall's triangles around a node, as far as layers could care.
+  std::vector<double> WallGap;
+  std::vector<char> Dirty; ///< triangles to test (again)
+};
+
+} // namespace lamina

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColumnGrowth.h"
+
+#include "../Search/Clearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double slopeOfHeight = 0.5;   ///< largest change of column height over length along the wall
+constexpr double thinnestLayer = 0.05;  ///< of a tet's layer over its wall edge: thinner ones are bad tets
+constexpr double thinnestColumn = 1e-4; ///< of a column of prisms over its wall edge
+
+std::size_t U(Id i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace
+
+/// The share of the thickness, at most what the ray along the column itself finds.
+void ColumnGrowth::SetHeights()
+{
+  const TriangleTree tree(this->W.points, this->W.triangles);
+  const std::size_t count = this->W.points.size();
+  this->C.height.assign(count, 0);
+  this->C.wanted.assign(count, 0);
+  this->Watch.For(static_cast<Id>(count), 256,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id v = begin; v < end; ++v)
+                    {
+                      if (this->C.hidden[U(v)] || this->W.fixed[U(v)])
+                      {
+                        continue;
+                      }
+                      const Vec3& m = this->C.direction[U(v)];
+                      double thickness = std::numeric_limits<double>::infinity();
+                      if (!this->W.thickness.empty() && this->W.thickness[U(v)] > 0)
+                      {
+                        thickness = this->W.thickness[U(v)];
+                      }
+                      const auto hit = tree.FirstHit(
+                        this->W.points[U(v)], m, 1e-6 * this->WallEdge(v), thickness,
+                        [&](Id t)
+                        {
+                          const Triangle& c = this->W.triangles[U(t)];
+                          return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
+                        });
+                      thickness = std::min(thickness, hit.t);
+                      this->C.wanted[U(v)] = std::isfinite(thickness) ? this->Options.share * thickness : 0;
+                    }
+                  });
+  this->C.height = this->C.wanted;
+  this->WallGap = PointClearances(this->W.points, this->W.triangles, this->C.wanted, this->Watch);
+}
+
+/// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped
+/// columns count as height 0, so that layers thin out towards them.
+void ColumnGrowth::LimitSlopes()
+{
+  using Item = std::pair<double, Id>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
+  std::vector<double>& h = this->C.height;
+  for (std::size_t v = 0; v < h.size(); ++v)
+  {
+    queue.push({ h[v], static_cast<Id>(v) });
+  }
+  while (!queue.empty())
+  {
+    const Item item = queue.top();
+    queue.pop();
+    if (item.first > h[U(item.second)])
+    {
+      continue;
+    }
+    for (Id t : Row(this->W.star, item.second))
+    {
+      for (Id p : this->W.triangles[U(t)])
+      {
+        const double limit =
+          item.first + slopeOfHeight * Norm(this->W.points[U(p)] - this->W.points[U(item.second)]);
+        if (limit < h[U(p)])
+        {
+          h[U(p)] = limit;
+          queue.push({ limit, p });
+          for (Id changed : Row(this->W.star, p))
+          {
+            this->Dirty[U(changed)] = 1;
+          }
+        }
+      }
+    }
+  }
+}
+
+void ColumnGrowth::Stop(Id v)
+{
+  this->C.height[U(v)] = 0;
+  for (Id t : Row(this->W.star, v))
+  {
+    this->Dirty[U(t)] = 1;
+  }
+}
+
+void ColumnGrowth::Shrink(Id v, double factor)
+{
+  double& h = this->C.height[U(v)];
+  if (h == 0)
+  {
+    return;
+  }
+  h *= factor;
+  const bool tets = this->Options.cells == ColumnCells::Tets;
+  const double least = tets ? thinnestLayer * this->C.layers : thinnestColumn;
+  if (h < least * this->WallEdge(v))
+  {
+    this->Stop(v);
+    return;
+  }
+  for (Id t : Row(this->W.star, v))
+  {
+    this->Dirty[U(t)] = 1;
+  }
+}
+
+} // namespace lamina

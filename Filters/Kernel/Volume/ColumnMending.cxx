@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColumnCells.h"
+#include "ColumnGrowth.h"
+
+#include "../Geometry/Quality.h"
+#include "../Search/Clearance.h"
+#include "../Search/SelfIntersection.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+/// Of tets in columns: improvement lifts what is poor, but shrinking a column that is thin already does not.
+constexpr double leastTetQuality = 0.03;
+
+std::size_t U(Id i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace
+
+bool ColumnGrowth::IsSound(Id t) const
+{
+  const Triangle& c = this->W.triangles[U(t)];
+  if (this->C.Stopped(c[0]) && this->C.Stopped(c[1]) && this->C.Stopped(c[2]))
+  {
+    return true;
+  }
+  // What the wall triangle and the directions on it allow at no height: no cell can be better.
+  double allowed = TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])], this->W.points[U(c[2])]);
+  for (Id v : c)
+  {
+    allowed *= this->C.Stopped(v) ? 1 : std::max(0.0, Dot(this->C.direction[U(v)], this->Normals[U(t)]));
+  }
+  std::array<ColumnCell, 3> cells;
+  const bool tets = this->Options.cells == ColumnCells::Tets;
+  for (int layer = 1; layer <= this->C.layers; ++layer)
+  {
+    const int count = CellsOfTriangle(this->W, this->C, t, layer, this->Options.cells, cells);
+    for (int i = 0; i < count; ++i)
+    {
+      const ColumnCell& cell = cells[static_cast<std::size_t>(i)];
+      const double q = QualityOf(this->W, this->C, cell);
+      double gate = std::min(0.3, 0.5 * allowed);
+      if (tets)
+      {
+        gate = std::min(leastTetQuality, allowed);
+      }
+      else if (cell.type != CellType::Wedge)
+      {
+        gate = 0;
+      }
+      if (!(q > gate))
+      {
+        return false;
+      }
+    }
+  }
+  if (tets)
+  {
+    // Tets flatten with the layer, and the front must keep enough of the triangle to carry a core.
+    std::array<Vec3, 3> top;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      top[i] = this->C.Place(this->W, c[i], this->C.layers);
+    }
+    return TriangleQuality(top[0], top[1], top[2]) > std::min(0.2, 0.5 * allowed);
+  }
+  return true;
+}
+
+/// Tests the dirty triangles and shrinks the columns of those that fail. Returns how many failed.
+Id ColumnGrowth::MendCells(int round)
+{
+  std::vector<Id> work;
+  for (std::size_t t = 0; t < this->Dirty.size(); ++t)
+  {
+    if (this->Dirty[t])
+    {
+      work.push_back(static_cast<Id>(t));
+    }
+  }
+  std::vector<char> bad(work.size(), 0);
+  this->Watch.For(static_cast<Id>(work.size()), 256,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id i = begin; i < end; ++i)
+                    {
+                      bad[U(i)] = this->IsSound(work[U(i)]) ? 0 : 1;
+                    }
+                  });
+  std::fill(this->Dirty.begin(), this->Dirty.end(), 0);
+  std::vector<Id> nodes;
+  Id failed = 0;
+  for (std::size_t i = 0; i < work.size(); ++i)
+  {
+    if (!bad[i])
+    {
+      continue;
+    }
+    ++failed;
+    const Triangle& c = this->W.triangles[U(work[i])];
+    this->Dirty[U(work[i])] = 1;
+    // A triangle that has failed often: its most slanted column stops.
+    if (round > MostRounds / 2)
+    {
+      Id worst = -1;
+      for (Id v : c)
+      {
+        if (!this->C.Stopped(v) && (worst < 0 || this->Seen[U(v)] < this->Seen[U(worst)]))
+        {
+          worst = v;
+        }
+      }
+      if (worst >= 0)
+      {
+        this->Stop(worst);
+      }
+      continue;
+    }
+    nodes.insert(nodes.end(), c.begin(), c.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (Id v : nodes)
+  {
+    this->Shrink(v, 0.8);
+  }
+  return failed;
+}
+
+std::vector<Vec3> ColumnGrowth::FrontPoints() const
+{
+  std::vector<Vec3> front(this->W.points.size());
+  for (std::size_t v = 0; v < front.size(); ++v)
+  {
+    front[v] = this->C.Place(this->W, static_cast<Id>(v), this->C.layers);
+  }
+  return front;
+}
+
+/// Shrinks the columns under front triangles that intersect others, or come nearer to them than the last
+/// layer is high. Returns how many columns shrank.
+Id ColumnGrowth::MendFronts(int round)
+{
+  const std::vector<Vec3> front = this->FrontPoints();
+  std::vector<double> factor(front.size(), 1);
+  std::vector<char> hit(front.size(), 0);
+  for (const auto& pair : FindIntersections(front, this->W.triangles, this->Watch))
+  {
+    for (Id t : pair)
+    {
+      for (Id v : this->W.triangles[U(t)])
+      {
+        hit[U(v)] = 1;
+        factor[U(v)] = 0.7;
+      }
+    }
+  }
+  if (round < MostRounds / 3) // distance is a wish, freedom from intersections a must
+  {
+    std::vector<double> gap(front.size());
+    const double last = this->C.layers > 0 ? 1 - this->C.fraction[U(this->C.layers - 1)] : 0;
+    for (std::size_t v = 0; v < front.size(); ++v)
+    {
+      // At most half of what the wall itself has: there it is the next triangles of the same front that are
+      // near.
+      gap[v] = std::min(0.6 * last * this->C.height[v], 0.5 * this->WallGap[v]);
+    }
+    const std::vector<double> clearance = PointClearances(front, this->W.triangles, gap, this->Watch);
+    for (std::size_t v = 0; v < front.size(); ++v)
+    {
+      if (clearance[v] < 0.99 * gap[v])
+      {
+        factor[v] = std::min(factor[v], std::max(0.7, 0.5 + 0.5 * clearance[v] / gap[v]) * 0.98);
+      }
+    }
+  }
+  Id count = 0;
+  for (std::size_t v = 0; v < front.size(); ++v)
+  {
+    if (factor[v] < 1 && this->C.height[v] > 0)
+    {
+      ++count;
+      if (hit[v] && round > 2 * MostRounds / 3)
+      {
+        this->Stop(static_cast<Id>(v));
+      }
+      else
+      {
+        this->Shrink(static_cast<Id>(v), factor[v]);
+      }
+    }
+  }
+  return count;
+}
+
+} // namespace lamina
