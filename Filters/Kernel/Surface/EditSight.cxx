@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well the nodes of an edited surface see their faces, and edits that uncover hidden ones.
+#include "../Geometry/VisibleDirection.h"
+#include "EditCorners.h"
+#include "EditableSurface.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
+
+} // namespace
+
+/// The least, over the materials at p, of how well the best direction into the material sees its faces there.
+/// With an edit: as it would be after it.
+double EditableSurface::Visibility(Id p, const Edit* edit) const
+{
+  struct Face
+  {
+    Vec3 normal;
+    MaterialPair pair;
+  };
+  std::vector<Face> faces;
+  const auto add = [&](const Triangle& corners, int sheet)
+  {
+    faces.push_back(
+      { Normalized(AreaVector2(this->Points, corners)),
+        this->Input.Surface()
+          .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
+  };
+  for (Id t : this->Star(p))
+  {
+    if (edit == nullptr || !std::binary_search(edit->removed.begin(), edit->removed.end(), t))
+    {
+      add(this->Corners(t), this->Sheets[static_cast<std::size_t>(t)]);
+    }
+  }
+  if (edit != nullptr)
+  {
+    for (const Added& t : edit->added)
+    {
+      if (t.corners[0] == p || t.corners[1] == p || t.corners[2] == p)
+      {
+        add(t.corners, t.sheet);
+      }
+    }
+  }
+  // A point of a sheet has one pair: its cone is the same seen from both sides.
+  double least = 1;
+  std::vector<int> done;
+  std::vector<Vec3> normals;
+  for (const Face& face : faces)
+  {
+    for (int material : { face.pair.first, face.pair.second })
+    {
+      if (std::find(done.begin(), done.end(), material) != done.end() || material == 0)
+      {
+        continue;
+      }
+      done.push_back(material);
+      normals.clear();
+      Vec3 sum;
+      for (const Face& other : faces)
+      {
+        const int side = SideOf(other.pair, material);
+        if (side != 0)
+        {
+          normals.push_back(side * other.normal);
+          sum += normals.back();
+        }
+      }
+      const Vec3 mean = Normalized(sum);
+      double seen = 1;
+      for (const Vec3& n : normals)
+      {
+        seen = std::min(seen, Dot(mean, n));
+      }
+      least = std::min(least, seen >= leastVisibility ? seen : FindVisibleDirection(normals).leastCosine);
+    }
+    if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
+    {
+      break;
+    }
+  }
+  return least;
+}
+
+bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
+{
+  std::vector<Id> nodes;
+  for (const Added& t : edit.added)
+  {
+    nodes.insert(nodes.end(), t.corners.begin(), t.corners.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (Id p : nodes)
+  {
+    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new:
+    // the old value is only approximate for a moved point, which errs on the strict side.)
+    const double after = this->Visibility(p, &edit);
+    allVisible = allVisible && after >= leastVisibility;
+    if (this->Mending)
+    {
+      if (after < this->MendedSight)
+      {
+        return false;
+      }
+      continue;
+    }
+    if (after < leastVisibility && after < this->Visibility(p, nullptr))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool EditableSurface::Uncover(Id p, double goal)
+{
+  const double before = this->Star(p).empty() ? 1 : this->Visibility(p);
+  if (before >= goal)
+  {
+    return false;
+  }
+  this->Mending = true;
+  this->MendedSight = std::min(goal, before + 0.02);
+  const bool done = this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p);
+  this->Mending = false;
+  return done;
+}
+
+bool EditableSurface::UncoverByMove(Id p)
+{
+  if (this->Classes[static_cast<std::size_t>(p)] != OnSheet)
+  {
+    return false;
+  }
+  Vec3 mean;
+  double worst = 1;
+  for (Id t : this->Star(p))
+  {
+    worst = std::min(worst, this->Quality(t));
+    for (Id q : this->Corners(t))
+    {
+      mean += q == p ? Vec3{} : this->Point(q);
+    }
+  }
+  mean *= 0.5 / static_cast<double>(this->Star(p).size());
+  for (double step : { 0.5, 1.0, 0.25 })
+  {
+    if (this->TryMove(p, this->Point(p) + step * (mean - this->Point(p)), std::min(0.3, worst)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool EditableSurface::UncoverByMerge(Id p)
+{
+  std::vector<Id> ring;
+  for (Id t : this->Star(p))
+  {
+    const Triangle& c = this->Corners(t);
+    ring.insert(ring.end(), c.begin(), c.end());
+  }
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return q != p && this->Merge(p, q, true); });
+}
+
+bool EditableSurface::UncoverBySwap(Id p)
+{
+  const std::vector<Id> star = this->Star(p);
+  for (Id t : star)
+  {
+    const Triangle c = this->Corners(t);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (this->Swap(c[k], c[(k + 1) % 3]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace lamina

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Swapping an edge for the other diagonal.
+#include "../Geometry/Quality.h"
+#include "EditCorners.h"
+#include "EditableSurface.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+bool EditableSurface::Swap(Id a, Id b)
+{
+  const std::vector<Id> shared = this->TrianglesAt(a, b);
+  if (this->IsFeature(shared))
+  {
+    return false;
+  }
+  // Let the first triangle run a -> b.
+  const Triangle first = this->Corners(shared[0]);
+  if (Others(first, a)[0] != b)
+  {
+    std::swap(a, b);
+  }
+  const Id c = Third(first, a, b);
+  const Id d = Third(this->Corners(shared[1]), a, b);
+  if (c == d || !this->TrianglesAt(c, d).empty())
+  {
+    return false;
+  }
+  const double worst = std::min(this->Quality(shared[0]), this->Quality(shared[1]));
+  Edit edit = this->RemovalOf(shared);
+  const Vec3 normal =
+    Normalized(AreaVector2(this->Points, first) + AreaVector2(this->Points, this->Corners(shared[1])));
+  const int sheet = this->Sheets[U(shared[0])];
+  edit.added.push_back({ { a, d, c }, sheet, normal });
+  edit.added.push_back({ { d, b, c }, sheet, normal });
+  edit.leastQuality = this->Mending ? std::min(0.3, worst) : worst * 1.01;
+  const double q = std::min(TriangleQuality(this->Point(a), this->Point(d), this->Point(c)),
+                            TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
+  if (q < edit.leastQuality || !this->IsSound(edit))
+  {
+    return false;
+  }
+  for (Id t : edit.removed)
+  {
+    this->Remove(t);
+  }
+  this->Commit(edit);
+  return true;
+}
+
+} // namespace lamina
