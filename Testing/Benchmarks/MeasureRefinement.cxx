@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What refinement promises, measured on a given surface: MeasureRefinement FILE [NAME=VALUE]...
 //
-// FILE: .labels or .surface, as WriteRefinementInputs.py makes them. NAME: threads, iterations, tolerance,
-// layers, minimum, maximum, uniform (one target for all, a length), verbose.
+// FILE: .labels or .surface, as WriteRefinementInputs.py makes them, or .sized, which save=FILE.sized writes
+// just before refinement. NAME: threads, iterations, tolerance, layers, minimum, maximum, uniform (one target
+// for all, a length), verbose.
 #include "Mesh/Adjacency.h"
 #include "RefinementMeasures.h"
 #include "Sizing/FeatureSize.h"
@@ -27,6 +28,11 @@ std::vector<T> Take(std::ifstream& file, std::size_t count)
   std::vector<T> values(count);
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
   return values;
+}
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 template<typename R>
@@ -71,6 +77,52 @@ TriangleComplex FromTriangles(std::ifstream& file)
   return surface;
 }
 
+/// Calls act(column) for everything that a sized surface holds.
+template<typename Act>
+void ForColumns(TriangleComplex& s, Act&& act)
+{
+  act(s.points);
+  act(s.triangles);
+  act(s.materials);
+  act(s.junctionKind);
+  act(s.junctionOrder);
+  act(s.featureSize);
+  act(s.targetEdgeLength);
+  act(s.sizedMaterials);
+  act(s.thickness);
+  act(s.maximumCurvature);
+  act(s.minimumCurvature);
+  act(s.maximumCurvatureDirection);
+}
+
+void Save(TriangleComplex& surface, double voxel, const std::string& path)
+{
+  std::ofstream file(path, std::ios::binary);
+  const auto put = [&](const void* data, std::size_t bytes)
+  { file.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes)); };
+  put(&voxel, sizeof(voxel));
+  ForColumns(surface,
+             [&](const auto& column)
+             {
+               const Id count = static_cast<Id>(column.size());
+               put(&count, sizeof(count));
+               put(column.data(), column.size() * sizeof(column[0]));
+             });
+}
+
+TriangleComplex Load(std::ifstream& file, double& voxel)
+{
+  TriangleComplex surface;
+  voxel = Take<double>(file, 1)[0];
+  ForColumns(surface,
+             [&](auto& column)
+             {
+               using Value = typename std::decay_t<decltype(column)>::value_type;
+               column = Take<Value>(file, static_cast<std::size_t>(Take<Id>(file, 1)[0]));
+             });
+  return surface;
+}
+
 class Arguments
 {
 public:
@@ -80,14 +132,19 @@ public:
   }
   double Get(const std::string& name, double otherwise) const
   {
+    const std::string text = this->Text(name);
+    return text.empty() ? otherwise : std::atof(text.c_str());
+  }
+  std::string Text(const std::string& name) const
+  {
     for (const std::string& word : this->Words)
     {
       if (word.rfind(name + "=", 0) == 0)
       {
-        return std::atof(word.c_str() + name.size() + 1);
+        return word.substr(name.size() + 1);
       }
     }
-    return otherwise;
+    return {};
   }
 
 private:
@@ -108,13 +165,24 @@ int main(int argc, char** argv)
   std::ifstream file(path, std::ios::binary);
   ThreadMonitor monitor(static_cast<int>(arguments.Get("threads", 2)));
   double voxel = 0;
-  TriangleComplex surface =
-    path.find(".labels") != std::string::npos ? FromLabels(file, voxel, monitor) : FromTriangles(file);
-  FeatureSizeOptions sizing;
-  sizing.layers = static_cast<int>(arguments.Get("layers", sizing.layers));
-  sizing.minimum = arguments.Get("minimum", 0);
-  sizing.maximum = arguments.Get("maximum", 0);
-  Demand(ComputeFeatureSize(surface, sizing, monitor), "size");
+  TriangleComplex surface;
+  if (EndsWith(path, ".sized"))
+  {
+    surface = Load(file, voxel);
+  }
+  else
+  {
+    surface = EndsWith(path, ".labels") ? FromLabels(file, voxel, monitor) : FromTriangles(file);
+    FeatureSizeOptions sizing;
+    sizing.layers = static_cast<int>(arguments.Get("layers", sizing.layers));
+    sizing.minimum = arguments.Get("minimum", 0);
+    sizing.maximum = arguments.Get("maximum", 0);
+    Demand(ComputeFeatureSize(surface, sizing, monitor), "size");
+  }
+  if (const std::string save = arguments.Text("save"); !save.empty())
+  {
+    Save(surface, voxel, save);
+  }
   const double uniform = arguments.Get("uniform", 0);
   if (uniform > 0)
   {
@@ -132,9 +200,13 @@ int main(int argc, char** argv)
   Demand(report, "refine");
   rusage memory{};
   getrusage(RUSAGE_SELF, &memory);
-  std::printf("%s: %zu -> %zu triangles, %.1f s (%.1f s of processors), %.2f GiB\n", path.c_str(), input.triangles.size(),
-              surface.triangles.size(), seconds, used, static_cast<double>(memory.ru_maxrss) / (1 << 20));
+  std::printf("%s: %zu -> %zu triangles, %.1f s (%.1f s of processors), %.2f GiB\n", path.c_str(),
+              input.triangles.size(), surface.triangles.size(), seconds, used,
+              static_cast<double>(memory.ru_maxrss) / (1 << 20));
   std::printf("  splits %lld, merges %lld, swaps %lld\n", report->splits, report->merges, report->swaps);
-  measures::Print(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+  if (arguments.Get("measure", 1) > 0)
+  {
+    measures::Print(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+  }
   return 0;
 }

@@ -6,6 +6,7 @@
 #include "../Geometry/Quality.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -17,22 +18,23 @@ constexpr double leastTurnCosine = 0.5; ///< between the normal of a triangle an
 
 } // namespace
 
-bool EditableSurface::IsSound(const Edit& edit) const
+bool EditableSurface::IsSound(Edit& edit) const
 {
   bool allVisible = true;
   return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit, allVisible) && this->IsNearInput(edit) &&
-         this->IsClearOfOthers(edit) && (allVisible || this->IsClearOfItself(edit));
+         this->KeepsInputNear(edit) && this->IsClearOfOthers(edit) &&
+         (allVisible || this->IsClearOfItself(edit));
 }
 
-bool EditableSurface::HasGoodShapes(const Edit& edit) const
+bool EditableSurface::HasGoodShapes(Edit& edit) const
 {
-  for (const Added& t : edit.added)
+  for (Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
-    const Vec3 area = Cross(b - a, c - a);
-    if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) ||
+    t.normal = Normalized(Cross(b - a, c - a));
+    if ((!this->Mending && Dot(t.normal, t.before) < leastTurnCosine) ||
         !(TriangleQuality(a, b, c) >= edit.leastQuality))
     {
       return false;
@@ -43,51 +45,95 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
 
 /// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first
 /// edge of one triangle, and the edges opposite to it are old.
-bool EditableSurface::IsNearInput(const Edit& edit) const
+bool EditableSurface::IsNearInput(Edit& edit) const
 {
-  const double least = this->Mending ? 0.5 * this->Input.MeanEdge() : 0;
-  for (const Added& t : edit.added)
+  for (Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
-    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c), least))
+    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c), t.hint))
     {
       return false;
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
+      Id hint = t.hint;
       const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
       if (test && !this->Input.IsNear(
-                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
+                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), hint))
       {
         return false;
       }
     }
   }
+  if (edit.centre >= 0)
+  {
+    Id hint = edit.added[0].hint;
+    return this->Input.IsNear(edit.added[0].sheet, this->Point(edit.centre), hint);
+  }
   return true;
+}
+
+double EditableSurface::PlaceSamples(Edit& edit) const
+{
+  double worst = 0;
+  for (Id t : edit.removed)
+  {
+    for (int sample = this->Samples.First(t); sample >= 0; sample = this->Samples.Next(sample))
+    {
+      const Id point = this->Samples.Point(sample);
+      const Vec3& place = this->Input.Surface().points[static_cast<std::size_t>(point)];
+      SampleOwner owner{ sample, -1 };
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < edit.added.size(); ++i)
+      {
+        const Added& added = edit.added[i];
+        Vec3 closest;
+        std::array<double, 3> weights;
+        if (added.sheet != this->Sheets[static_cast<std::size_t>(t)])
+        {
+          continue;
+        }
+        const double d2 =
+          PointTriangleDistance2(place, this->Point(added.corners[0]), this->Point(added.corners[1]),
+                                 this->Point(added.corners[2]), closest, weights);
+        if (d2 < nearest)
+        {
+          nearest = d2;
+          owner.added = static_cast<int>(i);
+        }
+      }
+      const double tolerance = this->Input.Tolerance(point);
+      worst = std::max(worst, nearest / (tolerance * tolerance));
+      edit.owners.push_back(owner);
+    }
+  }
+  return worst;
+}
+
+/// The points of the input that lie on what is removed lie near what is added.
+bool EditableSurface::KeepsInputNear(Edit& edit) const
+{
+  edit.owners.clear();
+  return this->PlaceSamples(edit) <= 1;
 }
 
 /// No new triangle meets any other but in shared corners and edges.
 bool EditableSurface::IsClearOfOthers(const Edit& edit) const
 {
+  this->Boxes.clear();
   for (const Added& t : edit.added)
   {
-    const Box box = this->BoxOf(t.corners);
-    const bool clear =
-      this->Grid.ForNear(box,
-                         [&](Id other)
-                         {
-                           return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
-                                  !box.Overlaps(this->BoxOf(this->Corners(other))) ||
-                                  !TrianglesIntersect(this->Points, t.corners, this->Corners(other));
-                         });
-    if (!clear)
-    {
-      return false;
-    }
+    this->Boxes.push_back(this->BoxOf(t.corners));
   }
-  return true;
+  return this->Grid.ForNear(this->Boxes,
+                            [&](std::size_t i, Id other)
+                            {
+                              return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
+                                     !TrianglesIntersect(this->Points, edit.added[i].corners,
+                                                         this->Corners(other));
+                            });
 }
 
 /// The new triangles do not meet one another either. Where a direction sees all faces of every node they

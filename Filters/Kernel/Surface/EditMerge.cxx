@@ -10,7 +10,7 @@ namespace lamina
 
 /// The link condition: the ends share no neighbour but the far corners of the edge's triangles, and no
 /// triangle would come to lie on another.
-bool EditableSurface::LinkAllows(Id gone, Id kept, const std::vector<Id>& shared) const
+bool EditableSurface::LinkAllows(Id gone, Id kept, const EdgeTriangles& shared) const
 {
   std::vector<Id> ringOfKept;
   for (Id t : this->Star(kept))
@@ -51,7 +51,7 @@ bool EditableSurface::LinkAllows(Id gone, Id kept, const std::vector<Id>& shared
 
 /// The middle of the edge, moved along the fan's gradient so that the volume on either side stays what it
 /// was.
-Vec3 EditableSurface::MergedPlace(Id gone, Id kept, const std::vector<Id>& shared) const
+Vec3 EditableSurface::MergedPlace(Id gone, Id kept, const EdgeTriangles& shared) const
 {
   const Vec3 origin = this->Point(kept);
   const Vec3 middle = 0.5 * (this->Point(gone) - origin);
@@ -92,7 +92,7 @@ Vec3 EditableSurface::MergedPlace(Id gone, Id kept, const std::vector<Id>& share
 
 bool EditableSurface::Merge(Id a, Id b, bool anyLength)
 {
-  const std::vector<Id> shared = this->TrianglesAt(a, b);
+  const EdgeTriangles shared = this->TrianglesAt(a, b);
   if (shared.empty())
   {
     return false;
@@ -123,28 +123,21 @@ bool EditableSurface::Merge(Id a, Id b, bool anyLength)
                       this->MergeInto(b, a, shared, this->Point(a), anyLength));
 }
 
-bool EditableSurface::MergeInto(Id gone, Id kept, const std::vector<Id>& shared, const Vec3& place,
+bool EditableSurface::MergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place,
                                 bool anyLength)
 {
-  std::vector<Id> touched = this->Star(gone);
   const bool moves = !(place == this->Point(kept));
-  if (moves)
-  {
-    touched.insert(touched.end(), this->Star(kept).begin(), this->Star(kept).end());
-  }
-  Edit edit = this->RemovalOf(touched);
+  Edit& edit = this->RemovalOfStars(gone, moves ? kept : -1);
   double worst = 1;
   for (Id t : edit.removed)
   {
     worst = std::min(worst, this->Quality(t));
-    if (std::find(shared.begin(), shared.end(), t) != shared.end())
+    if (std::find(shared.begin(), shared.end(), t) == shared.end())
     {
-      continue;
+      Triangle corners = this->Corners(t);
+      std::replace(corners.begin(), corners.end(), gone, kept);
+      this->Add(edit, corners, t);
     }
-    Triangle corners = this->Corners(t);
-    const Vec3 normal = Normalized(AreaVector2(this->Points, corners));
-    std::replace(corners.begin(), corners.end(), gone, kept);
-    edit.added.push_back({ corners, this->Sheets[U(t)], normal });
   }
   edit.leastQuality = std::min(0.3, worst + (anyLength ? 1e-6 : 0));
   edit.centre = moves ? kept : -1;
@@ -167,12 +160,7 @@ bool EditableSurface::MergeInto(Id gone, Id kept, const std::vector<Id>& shared,
     this->Targets[U(kept)] = target;
     return false;
   }
-  for (Id t : edit.removed)
-  {
-    this->Remove(t);
-  }
-  this->Points[U(kept)] = place;
-  this->Commit(edit);
+  this->Commit(edit, kept, place);
   this->Classes[U(gone)] = Removed;
   return true;
 }

@@ -26,11 +26,10 @@ bool EditableSurface::CurveNeighbours(Id p, Id& before, Id& after) const
 
 bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
 {
-  Edit edit = this->RemovalOf(this->Star(p));
+  Edit& edit = this->RemovalOfStars(p);
   for (Id t : edit.removed)
   {
-    edit.added.push_back(
-      { this->Corners(t), this->Sheets[U(t)], Normalized(AreaVector2(this->Points, this->Corners(t))) });
+    this->Add(edit, this->Corners(t), t);
   }
   edit.leastQuality = leastQuality;
   edit.centre = p;
@@ -38,25 +37,34 @@ bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
   this->Points[U(p)] = place;
   const bool sound = this->IsSound(edit);
   this->Points[U(p)] = before;
-  if (!sound)
+  if (sound)
   {
-    return false;
+    this->Commit(edit, p, place);
   }
-  for (Id t : edit.removed)
-  {
-    this->Remove(t);
-  }
-  this->Points[U(p)] = place;
-  this->Commit(edit);
-  return true;
+  return sound;
+}
+
+namespace
+{
+
+constexpr double leastMove = 0.05; ///< in targets: less is not worth its checks
+
+} // namespace
+
+/// Whether anything around p is not as it was when p was last tried in vain.
+bool EditableSurface::HasChanged(Id p) const
+{
+  return std::any_of(this->Star(p).begin(), this->Star(p).end(),
+                     [&](Id t) { return this->Changed[U(t)] > this->Relaxed[U(p)]; });
 }
 
 bool EditableSurface::Relax(Id p)
 {
-  if (this->Classes[U(p)] >= AtCorner || this->Star(p).empty())
+  if (this->Classes[U(p)] >= AtCorner || this->Star(p).empty() || !this->HasChanged(p))
   {
     return false;
   }
+  this->Relaxed[U(p)] = this->Changes;
   const Vec3& x = this->Point(p);
   double worst = 1;
   Vec3 move;
@@ -96,7 +104,7 @@ bool EditableSurface::Relax(Id p)
   {
     worst = std::min(worst, this->Quality(t));
   }
-  if (Norm(move) < 0.03 * this->Target(p))
+  if (Norm(move) < leastMove * this->Target(p))
   {
     return false;
   }

@@ -26,18 +26,17 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
     MaterialPair pair;
   };
   std::vector<Face> faces;
-  const auto add = [&](const Triangle& corners, int sheet)
+  const auto add = [&](const Vec3& normal, int sheet)
   {
     faces.push_back(
-      { Normalized(AreaVector2(this->Points, corners)),
-        this->Input.Surface()
-          .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
+      { normal, this->Input.Surface()
+                  .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
   };
   for (Id t : this->Star(p))
   {
     if (edit == nullptr || !std::binary_search(edit->removed.begin(), edit->removed.end(), t))
     {
-      add(this->Corners(t), this->Sheets[static_cast<std::size_t>(t)]);
+      add(this->Normals[static_cast<std::size_t>(t)], this->Sheets[static_cast<std::size_t>(t)]);
     }
   }
   if (edit != nullptr)
@@ -46,7 +45,7 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
     {
       if (t.corners[0] == p || t.corners[1] == p || t.corners[2] == p)
       {
-        add(t.corners, t.sheet);
+        add(t.normal, t.sheet);
       }
     }
   }
@@ -90,6 +89,47 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
   return least;
 }
 
+/// Visibility after an edit, or a lower bound of it that is good enough.
+double EditableSurface::SightAfter(Id p, const Edit& edit) const
+{
+  if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
+  {
+    // Most often the mean normal sees all faces well: no need to look for the best.
+    ShortList<Vec3, 24> normals;
+    Vec3 sum;
+    const auto add = [&](const Vec3& normal)
+    {
+      normals.push_back(normal);
+      sum += normal;
+    };
+    for (Id t : this->Star(p))
+    {
+      if (!std::binary_search(edit.removed.begin(), edit.removed.end(), t))
+      {
+        add(this->Normals[static_cast<std::size_t>(t)]);
+      }
+    }
+    for (const Added& t : edit.added)
+    {
+      if (Has(t.corners, p))
+      {
+        add(t.normal);
+      }
+    }
+    double least = 1;
+    const Vec3 mean = Normalized(sum);
+    for (const Vec3& normal : normals)
+    {
+      least = std::min(least, Dot(mean, normal));
+    }
+    if (least >= 0.6)
+    {
+      return least;
+    }
+  }
+  return this->Visibility(p, &edit);
+}
+
 bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
 {
   std::vector<Id> nodes;
@@ -103,7 +143,7 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
   {
     // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new:
     // the old value is only approximate for a moved point, which errs on the strict side.)
-    const double after = this->Visibility(p, &edit);
+    const double after = this->SightAfter(p, edit);
     allVisible = allVisible && after >= leastVisibility;
     if (this->Mending)
     {

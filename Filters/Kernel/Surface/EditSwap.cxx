@@ -11,7 +11,7 @@ namespace lamina
 
 bool EditableSurface::Swap(Id a, Id b)
 {
-  const std::vector<Id> shared = this->TrianglesAt(a, b);
+  const EdgeTriangles shared = this->TrianglesAt(a, b);
   if (this->IsFeature(shared))
   {
     return false;
@@ -29,22 +29,22 @@ bool EditableSurface::Swap(Id a, Id b)
     return false;
   }
   const double worst = std::min(this->Quality(shared[0]), this->Quality(shared[1]));
-  Edit edit = this->RemovalOf(shared);
-  const Vec3 normal =
-    Normalized(AreaVector2(this->Points, first) + AreaVector2(this->Points, this->Corners(shared[1])));
-  const int sheet = this->Sheets[U(shared[0])];
-  edit.added.push_back({ { a, d, c }, sheet, normal });
-  edit.added.push_back({ { d, b, c }, sheet, normal });
-  edit.leastQuality = this->Mending ? std::min(0.3, worst) : worst * 1.01;
+  const double least = this->Mending ? std::min(0.3, worst) : worst * 1.01;
   const double q = std::min(TriangleQuality(this->Point(a), this->Point(d), this->Point(c)),
                             TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
-  if (q < edit.leastQuality || !this->IsSound(edit))
+  if (q < least)
   {
     return false;
   }
-  for (Id t : edit.removed)
+  Edit& edit = this->RemovalOf(shared);
+  edit.leastQuality = least;
+  this->Add(edit, { a, d, c }, shared[0]);
+  this->Add(edit, { d, b, c }, shared[1]);
+  edit.added[0].before = edit.added[1].before =
+    Normalized(AreaVector2(this->Points, first) + AreaVector2(this->Points, this->Corners(shared[1])));
+  if (!this->IsSound(edit))
   {
-    this->Remove(t);
+    return false;
   }
   this->Commit(edit);
   return true;

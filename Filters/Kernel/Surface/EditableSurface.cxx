@@ -9,6 +9,29 @@
 namespace lamina
 {
 
+namespace
+{
+
+/// About one and a half edges of what is to come.
+double GridCell(const InputSurface& input)
+{
+  const TriangleComplex& surface = input.Surface();
+  double triangles = 0;
+  double edges = 0;
+  for (const Triangle& t : surface.triangles)
+  {
+    const double h = (1.0 / 3) * (surface.targetEdgeLength[U(t[0])] + surface.targetEdgeLength[U(t[1])] +
+                                  surface.targetEdgeLength[U(t[2])]);
+    const double count = Norm(AreaVector2(surface.points, t)) / (h * h);
+    triangles += count;
+    edges += count * h;
+  }
+  const double aim = edges / triangles;
+  return triangles > 0 ? 1.5 * std::clamp(input.MeanEdge(), 0.5 * aim, aim) : 1;
+}
+
+} // namespace
+
 EditableSurface::EditableSurface(const InputSurface& input, double mergeRatio, double splitRatio)
   : Input(input)
   , MergeRatio(mergeRatio)
@@ -17,8 +40,10 @@ EditableSurface::EditableSurface(const InputSurface& input, double mergeRatio, d
   , Targets(input.Surface().targetEdgeLength)
   , Classes(Points.size())
   , Stars(Points.size())
+  , Relaxed(Points.size(), -1)
+  , Samples(input)
   , PairOfSheet(input.Sheets().shellsOfSheet.size(), -1)
-  , Grid(2 * input.MeanEdge())
+  , Grid(GridCell(input))
 {
   const TriangleComplex& surface = input.Surface();
   for (std::size_t p = 0; p < this->Points.size(); ++p)
@@ -30,10 +55,21 @@ EditableSurface::EditableSurface(const InputSurface& input, double mergeRatio, d
   {
     const int sheet = input.TriangleSheet(static_cast<Id>(t));
     this->PairOfSheet[static_cast<std::size_t>(sheet)] = static_cast<Id>(t);
-    this->Triangles.push_back({ -1, -1, -1 });
-    this->Sheets.push_back(sheet);
-    this->Insert(static_cast<Id>(t), surface.triangles[t], sheet);
+    this->AddTriangle();
+    this->Insert(static_cast<Id>(t), surface.triangles[t], sheet,
+                 Normalized(AreaVector2(this->Points, surface.triangles[t])), static_cast<Id>(t));
   }
+}
+
+Id EditableSurface::AddTriangle()
+{
+  this->Triangles.push_back({ -1, -1, -1 });
+  this->Sheets.push_back(-1);
+  this->Normals.emplace_back();
+  this->Hints.push_back(-1);
+  this->Changed.push_back(0);
+  this->Samples.Grow(std::max(this->Triangles.size(), this->Input.Surface().triangles.size()));
+  return this->TriangleCount() - 1;
 }
 
 double EditableSurface::Quality(Id triangle) const
@@ -42,9 +78,9 @@ double EditableSurface::Quality(Id triangle) const
   return TriangleQuality(this->Point(t[0]), this->Point(t[1]), this->Point(t[2]));
 }
 
-std::vector<Id> EditableSurface::TrianglesAt(Id a, Id b) const
+EdgeTriangles EditableSurface::TrianglesAt(Id a, Id b) const
 {
-  std::vector<Id> found;
+  EdgeTriangles found;
   for (Id t : this->Star(a))
   {
     if (Has(this->Corners(t), b))
@@ -55,7 +91,7 @@ std::vector<Id> EditableSurface::TrianglesAt(Id a, Id b) const
   return found;
 }
 
-bool EditableSurface::IsFeature(const std::vector<Id>& triangles) const
+bool EditableSurface::IsFeature(const EdgeTriangles& triangles) const
 {
   return triangles.size() != 2 || this->Sheets[U(triangles[0])] != this->Sheets[U(triangles[1])];
 }
@@ -70,10 +106,13 @@ Box EditableSurface::BoxOf(const Triangle& t) const
   return box;
 }
 
-void EditableSurface::Insert(Id id, const Triangle& corners, int sheet)
+void EditableSurface::Insert(Id id, const Triangle& corners, int sheet, const Vec3& normal, Id hint)
 {
   this->Triangles[U(id)] = corners;
   this->Sheets[U(id)] = sheet;
+  this->Normals[U(id)] = normal;
+  this->Hints[U(id)] = hint;
+  this->Changed[U(id)] = this->Changes;
   for (Id p : corners)
   {
     this->Stars[U(p)].push_back(id);
@@ -93,58 +132,84 @@ void EditableSurface::Remove(Id id)
   this->Triangles[U(id)] = { -1, -1, -1 };
 }
 
-/// New triangles take the ids of those they replace. The coordinates of points must be those of the time when
-/// the removed triangles were put in.
-void EditableSurface::Commit(const Edit& edit)
+/// New triangles take the ids of those they replace.
+void EditableSurface::Commit(const Edit& edit, Id moved, const Vec3& place)
 {
-  std::size_t reused = 0;
+  for (Id t : edit.removed)
+  {
+    this->Remove(t);
+    this->Samples.Clear(t);
+  }
+  if (moved >= 0)
+  {
+    this->Points[U(moved)] = place;
+  }
+  ++this->Changes;
+  std::vector<Id>& ids = this->NewIds;
+  ids.clear();
   for (const Added& added : edit.added)
   {
-    Id id = static_cast<Id>(this->Triangles.size());
-    if (reused < edit.removed.size())
-    {
-      id = edit.removed[reused++];
-    }
-    else
-    {
-      this->Triangles.push_back({ -1, -1, -1 });
-      this->Sheets.push_back(added.sheet);
-    }
-    this->Insert(id, added.corners, added.sheet);
+    ids.push_back(ids.size() < edit.removed.size() ? edit.removed[ids.size()] : this->AddTriangle());
+    this->Insert(ids.back(), added.corners, added.sheet, added.normal, added.hint);
+  }
+  for (const SampleOwner& owner : edit.owners)
+  {
+    this->Samples.Put(owner.sample, ids[static_cast<std::size_t>(owner.added)]);
   }
 }
 
-EditableSurface::Edit EditableSurface::RemovalOf(std::vector<Id> triangles) const
+EditableSurface::Edit& EditableSurface::RemovalOf(const EdgeTriangles& triangles)
 {
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-  Edit edit;
-  edit.removed = std::move(triangles);
+  Edit& edit = this->Work;
+  edit.removed.assign(triangles.begin(), triangles.end());
+  std::sort(edit.removed.begin(), edit.removed.end());
+  edit.added.clear();
+  edit.owners.clear();
+  edit.leastQuality = 0;
+  edit.centre = -1;
   return edit;
+}
+
+EditableSurface::Edit& EditableSurface::RemovalOfStars(Id p, Id q)
+{
+  Edit& edit = this->RemovalOf({});
+  edit.removed = this->Star(p);
+  if (q >= 0)
+  {
+    edit.removed.insert(edit.removed.end(), this->Star(q).begin(), this->Star(q).end());
+  }
+  std::sort(edit.removed.begin(), edit.removed.end());
+  edit.removed.erase(std::unique(edit.removed.begin(), edit.removed.end()), edit.removed.end());
+  return edit;
+}
+
+void EditableSurface::Add(Edit& edit, const Triangle& corners, Id replaced) const
+{
+  edit.added.push_back(
+    { corners, this->Sheets[U(replaced)], this->Normals[U(replaced)], this->Hints[U(replaced)], {} });
 }
 
 Id EditableSurface::Split(Id a, Id b)
 {
-  const std::vector<Id> shared = this->TrianglesAt(a, b);
+  const EdgeTriangles shared = this->TrianglesAt(a, b);
   const Id middle = this->PointCount();
   this->Points.push_back(0.5 * (this->Point(a) + this->Point(b)));
   this->Targets.push_back(std::sqrt(this->Target(a) * this->Target(b)));
   this->Classes.push_back(this->IsFeature(shared) ? OnCurve : OnSheet);
+  this->Relaxed.push_back(-1);
   this->Stars.emplace_back();
-  Edit edit = this->RemovalOf(shared);
+  Edit& edit = this->RemovalOf(shared);
   for (Id t : edit.removed)
   {
     for (Id end : { a, b })
     {
       Triangle half = this->Corners(t);
       std::replace(half.begin(), half.end(), end, middle);
-      edit.added.push_back({ half, this->Sheets[U(t)], {} });
+      this->Add(edit, half, t);
+      edit.added.back().normal = this->Normals[U(t)];
     }
   }
-  for (Id t : edit.removed)
-  {
-    this->Remove(t);
-  }
+  this->PlaceSamples(edit);
   this->Commit(edit);
   return middle;
 }

@@ -14,8 +14,9 @@ namespace lamina
 class InputSurface
 {
 public:
-  /// `tolerance`: largest distance of edits, a length; 0: a tenth of the local feature size, at most half a
-  /// mean edge.
+  /// `tolerance`: largest distance of edits, a length; 0: the smaller of a tenth of the local feature size (a
+  /// fifth of the target where there is no feature size) and half a mean edge, which is less than half a
+  /// voxel.
   InputSurface(const TriangleComplex& surface, double tolerance);
 
   const TriangleComplex& Surface() const { return this->Complex; }
@@ -23,8 +24,11 @@ public:
   double MeanEdge() const { return this->Mean; }
   /// The closest point of a sheet within `limit`; triangle -1 if there is none.
   TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
-  /// True if p lies within the tolerance of the sheet, or within `least` if that is more.
-  bool IsNear(int sheet, const Vec3& p, double least = 0) const;
+  /// True if p lies within the tolerance of the sheet. `hint`: a triangle to look at first, or -1; becomes
+  /// the one that was found.
+  bool IsNear(int sheet, const Vec3& p, Id& hint) const;
+  /// The tolerance at a point of the input.
+  double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
   double TargetAt(const TriangleTree::Closest& place) const
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);
@@ -35,10 +39,13 @@ public:
   int TriangleSheet(Id t) const { return this->Graph.sheetOfTriangle[static_cast<std::size_t>(t)]; }
 
 private:
+  bool IsWithin(const TriangleTree::Closest& place) const;
+
   TriangleComplex Complex;
   SheetGraph Graph;
   double Mean;
-  double Tolerance;
+  double Widest; ///< the largest tolerance
+  std::vector<double> Tolerances;
   std::vector<std::unique_ptr<TriangleTree>> Trees; ///< one a sheet
 };
 

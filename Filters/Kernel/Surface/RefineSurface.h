@@ -11,7 +11,7 @@ namespace lamina
 
 struct RefineSurfaceOptions
 {
-  int iterations = 4;      ///< rounds of bisection, merging, swapping and relaxation, 1 or more
+  int iterations = 6;      ///< rounds of bisection, merging, swapping and relaxation, 1 or more
   double splitRatio = 1.4; ///< an edge longer than this times its target is bisected, > 1
   double mergeRatio = 0.7; ///< an edge shorter than this times its target is merged, in (0, 1)
   double tolerance =

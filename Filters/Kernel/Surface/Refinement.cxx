@@ -7,11 +7,12 @@ namespace lamina
 {
 
 template<typename Visit>
-void Refinement::ForEdges(Visit&& visit) const
+void Refinement::ForEdges(Id since, Visit&& visit) const
 {
+  const auto isNew = [&](Id t) { return this->Surface.ChangedAt(t) > since; };
   for (Id t = 0; t < this->Surface.TriangleCount(); ++t)
   {
-    if (!this->Surface.IsAlive(t))
+    if (!this->Surface.IsAlive(t) || !isNew(t))
     {
       continue;
     }
@@ -20,9 +21,9 @@ void Refinement::ForEdges(Visit&& visit) const
     {
       const Id a = corners[k];
       const Id b = corners[(k + 1) % 3];
-      // Each edge once: from the triangle with the least id.
-      const std::vector<Id> at = this->Surface.TrianglesAt(a, b);
-      if (!at.empty() && *std::min_element(at.begin(), at.end()) == t)
+      // Each edge once: from the changed triangle with the least id.
+      const EdgeTriangles at = this->Surface.TrianglesAt(a, b);
+      if (std::none_of(at.begin(), at.end(), [&](Id other) { return other < t && isNew(other); }))
       {
         visit(std::min(a, b), std::max(a, b));
       }
@@ -33,15 +34,16 @@ void Refinement::ForEdges(Visit&& visit) const
 void Refinement::SplitLong(RefineSurfaceReport& report)
 {
   EdgeQueue queue;
-  this->ForEdges(
-    [&](Id a, Id b)
-    {
-      const double r = this->Surface.RelativeLength(a, b);
-      if (r > this->Options.splitRatio)
-      {
-        queue.push({ r, a, b });
-      }
-    });
+  this->ForEdges(this->Split,
+                 [&](Id a, Id b)
+                 {
+                   const double r = this->Surface.RelativeLength(a, b);
+                   if (r > this->Options.splitRatio)
+                   {
+                     queue.push({ r, a, b });
+                   }
+                 });
+  this->Split = this->Surface.Clock();
   while (!queue.empty() && !this->Stopped())
   {
     const RankedEdge edge = queue.top();
@@ -120,7 +122,9 @@ void Refinement::MergeShort(RefineSurfaceReport& report)
       queue.push({ -r, std::min(a, b), std::max(a, b) });
     }
   };
-  this->ForEdges(offer);
+  const Id now = this->Surface.Clock();
+  this->ForEdges(this->Merged, offer);
+  this->Merged = now;
   while (!queue.empty() && !this->Stopped())
   {
     const RankedEdge edge = queue.top();
@@ -156,7 +160,9 @@ void Refinement::SwapAll(RefineSurfaceReport& report)
   for (int pass = 0; pass < 4; ++pass)
   {
     std::vector<std::pair<Id, Id>> edges;
-    this->ForEdges([&](Id a, Id b) { edges.push_back({ a, b }); });
+    const Id now = this->Surface.Clock();
+    this->ForEdges(this->Swapped, [&](Id a, Id b) { edges.push_back({ a, b }); });
+    this->Swapped = now;
     Id swapped = 0;
     for (const auto& edge : edges)
     {
@@ -170,7 +176,7 @@ void Refinement::SwapAll(RefineSurfaceReport& report)
                    : 0;
     }
     report.swaps += swapped;
-    if (swapped * 200 < static_cast<Id>(edges.size()))
+    if (swapped == 0)
     {
       break;
     }

@@ -42,8 +42,9 @@ public:
   void UncoverNodes();
 
 private:
+  /// Visits each edge with a triangle that has changed since the clock stood at `since`, once.
   template<typename Visit>
-  void ForEdges(Visit&& visit) const;
+  void ForEdges(Id since, Visit&& visit) const;
   void SplitLong(RefineSurfaceReport& report);
   void SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceReport& report);
   void MergeShort(RefineSurfaceReport& report);
@@ -55,6 +56,10 @@ private:
   const RefineSurfaceOptions& Options;
   Monitor& Watch;
   Id Ticks = 0;
+  // The clock of the surface when all edges were last looked at.
+  Id Merged = -1;
+  Id Split = -1;
+  Id Swapped = -1;
 };
 
 } // namespace lamina
