@@ -153,7 +153,8 @@ struct Farthest
 {
   double ratio = 0; ///< distance over tolerance
   double distance = 0;
-  Id above = 0; ///< triangles with a sample beyond the tolerance
+  Id above = 0;   ///< triangles with a sample beyond the tolerance
+  Id corners = 0; ///< and those of them where a corner is
   Vec3 place;
 };
 
@@ -197,6 +198,7 @@ Farthest FindFarthest(const TriangleComplex& from, const TriangleComplex& to, bo
                       d / (toIsInput ? tolerance(place.triangle, place.weights) : tolerance(t, w));
                     each[v].distance = std::max(each[v].distance, d);
                     each[v].above = each[v].above || r > 1;
+                    each[v].corners = each[v].corners || (r > 1 && (w[0] == 1 || w[1] == 1 || w[2] == 1));
                     if (r > each[v].ratio)
                     {
                       each[v].ratio = r;
@@ -209,6 +211,7 @@ Farthest FindFarthest(const TriangleComplex& from, const TriangleComplex& to, bo
   for (const Farthest& f : each)
   {
     all.above += f.above;
+    all.corners += f.corners;
     all.distance = std::max(all.distance, f.distance);
     if (f.ratio > all.ratio)
     {
@@ -239,11 +242,11 @@ inline void PrintDistances(const TriangleComplex& before, const TriangleComplex&
   };
   const Farthest out = FindFarthest(after, before, true, tolerance, monitor);
   const Farthest back = FindFarthest(before, after, false, tolerance, monitor);
-  std::printf(
-    "  distance: to input %.2f tolerances (%lld triangles above, %.4f, at %.1f %.1f %.1f), from input "
-    "%.2f (%lld, %.4f, at %.1f %.1f %.1f)\n",
-    out.ratio, out.above, out.distance, out.place.x, out.place.y, out.place.z, back.ratio, back.above,
-    back.distance, back.place.x, back.place.y, back.place.z);
+  std::printf("  distance: to input %.2f tolerances (%lld triangles above, %lld at a corner, %.4f, at %.1f "
+              "%.1f %.1f), from input "
+              "%.2f (%lld, %lld, %.4f, at %.1f %.1f %.1f)\n",
+              out.ratio, out.above, out.corners, out.distance, out.place.x, out.place.y, out.place.z,
+              back.ratio, back.above, back.corners, back.distance, back.place.x, back.place.y, back.place.z);
 }
 
 inline Id EulerNumber(const TriangleComplex& s, int material)

@@ -28,12 +28,14 @@ bool EditableSurface::IsSound(Edit& edit) const
 
 bool EditableSurface::HasGoodShapes(Edit& edit) const
 {
+  this->Boxes.clear();
   for (Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
     t.normal = Normalized(Cross(b - a, c - a));
+    this->Boxes.push_back(this->BoxOf(t.corners));
     if ((!this->Mending && Dot(t.normal, t.before) < leastTurnCosine) ||
         !(TriangleQuality(a, b, c) >= edit.leastQuality))
     {
@@ -43,25 +45,29 @@ bool EditableSurface::HasGoodShapes(Edit& edit) const
   return !edit.added.empty();
 }
 
-/// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first
-/// edge of one triangle, and the edges opposite to it are old.
+/// The new triangles lie near the input: looked at in the middle, half-way from there to the corners, and at
+/// three places of each edge. Around a common corner the edges opposite to it are old.
 bool EditableSurface::IsNearInput(Edit& edit) const
 {
   for (Added& t : edit.added)
   {
-    const Vec3& a = this->Point(t.corners[0]);
-    const Vec3& b = this->Point(t.corners[1]);
-    const Vec3& c = this->Point(t.corners[2]);
-    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c), t.hint))
+    const Vec3 corners[3] = { this->Point(t.corners[0]), this->Point(t.corners[1]),
+                              this->Point(t.corners[2]) };
+    const Vec3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    if (!this->Input.IsNear(t.sheet, middle, t.hint))
     {
       return false;
     }
+    Id hint = t.hint;
+    const auto isNear = [&](const Vec3& place) { return this->Input.IsNear(t.sheet, place, hint); };
     for (std::size_t k = 0; k < 3; ++k)
     {
-      Id hint = t.hint;
-      const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
-      if (test && !this->Input.IsNear(
-                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), hint))
+      const Vec3& from = corners[k];
+      const Vec3& to = corners[(k + 1) % 3];
+      const bool isNew = edit.centre < 0 || t.corners[k] == edit.centre;
+      if (!isNear(0.5 * (middle + from)) ||
+          (isNew && !(isNear(0.5 * (from + to)) && isNear(0.75 * from + 0.25 * to) &&
+                      isNear(0.25 * from + 0.75 * to))))
       {
         return false;
       }
@@ -82,8 +88,7 @@ double EditableSurface::PlaceSamples(Edit& edit) const
   {
     for (int sample = this->Samples.First(t); sample >= 0; sample = this->Samples.Next(sample))
     {
-      const Id point = this->Samples.Point(sample);
-      const Vec3& place = this->Input.Surface().points[static_cast<std::size_t>(point)];
+      const Vec3& place = this->Samples.Place(sample);
       SampleOwner owner{ sample, -1 };
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < edit.added.size(); ++i)
@@ -91,7 +96,8 @@ double EditableSurface::PlaceSamples(Edit& edit) const
         const Added& added = edit.added[i];
         Vec3 closest;
         std::array<double, 3> weights;
-        if (added.sheet != this->Sheets[static_cast<std::size_t>(t)])
+        if (added.sheet != this->Sheets[static_cast<std::size_t>(t)] ||
+            this->Boxes[i].Distance2(place) >= nearest)
         {
           continue;
         }
@@ -104,7 +110,7 @@ double EditableSurface::PlaceSamples(Edit& edit) const
           owner.added = static_cast<int>(i);
         }
       }
-      const double tolerance = this->Input.Tolerance(point);
+      const double tolerance = this->Samples.Tolerance(sample);
       worst = std::max(worst, nearest / (tolerance * tolerance));
       edit.owners.push_back(owner);
     }
@@ -122,11 +128,6 @@ bool EditableSurface::KeepsInputNear(Edit& edit) const
 /// No new triangle meets any other but in shared corners and edges.
 bool EditableSurface::IsClearOfOthers(const Edit& edit) const
 {
-  this->Boxes.clear();
-  for (const Added& t : edit.added)
-  {
-    this->Boxes.push_back(this->BoxOf(t.corners));
-  }
   return this->Grid.ForNear(this->Boxes,
                             [&](std::size_t i, Id other)
                             {

@@ -145,13 +145,9 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
     // the old value is only approximate for a moved point, which errs on the strict side.)
     const double after = this->SightAfter(p, edit);
     allVisible = allVisible && after >= leastVisibility;
-    if (this->Mending)
+    if (p == this->Mended && after < this->MendedSight)
     {
-      if (after < this->MendedSight)
-      {
-        return false;
-      }
-      continue;
+      return false;
     }
     if (after < leastVisibility && after < this->Visibility(p, nullptr))
     {
@@ -169,9 +165,11 @@ bool EditableSurface::Uncover(Id p, double goal)
     return false;
   }
   this->Mending = true;
+  this->Mended = p;
   this->MendedSight = std::min(goal, before + 0.02);
   const bool done = this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p);
   this->Mending = false;
+  this->Mended = -1;
   return done;
 }
 

@@ -209,6 +209,11 @@ Id EditableSurface::Split(Id a, Id b)
       edit.added.back().normal = this->Normals[U(t)];
     }
   }
+  this->Boxes.clear();
+  for (const Added& t : edit.added)
+  {
+    this->Boxes.push_back(this->BoxOf(t.corners));
+  }
   this->PlaceSamples(edit);
   this->Commit(edit);
   return middle;

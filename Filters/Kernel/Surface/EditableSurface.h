@@ -146,7 +146,8 @@ private:
   std::vector<Id> PairOfSheet;    ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
   bool Mending = false;   ///< within Uncover
-  double MendedSight = 0; ///< which every node must have after an edit within Uncover
+  Id Mended = -1;         ///< the point that is being uncovered
+  double MendedSight = 0; ///< which it must have after an edit
 };
 
 } // namespace lamina

@@ -16,8 +16,9 @@ struct SampleOwner
   int added = 0; ///< which of the triangles that the edit adds
 };
 
-/// One sample for each point of the input and each sheet it lies on. They tell how far the input lies from
-/// the edited surface, as the tree tells how far that lies from the input.
+/// A sample for each point of the input and each sheet it lies on, and three within each
+/// edge. They tell how far the input lies from the edited surface, as the tree tells how far that lies from
+/// the input.
 class InputSamples
 {
 public:
@@ -26,8 +27,8 @@ public:
   /// The first sample on a triangle, and the one after a sample; -1 at the end.
   int First(Id triangle) const { return this->Firsts[static_cast<std::size_t>(triangle)]; }
   int Next(int sample) const { return this->Nexts[static_cast<std::size_t>(sample)]; }
-  /// The point of the input that a sample is.
-  Id Point(int sample) const { return this->Points[static_cast<std::size_t>(sample)]; }
+  const Vec3& Place(int sample) const { return this->Places[static_cast<std::size_t>(sample)].point; }
+  double Tolerance(int sample) const { return this->Places[static_cast<std::size_t>(sample)].tolerance; }
 
   void Grow(std::size_t triangles) { this->Firsts.resize(triangles, -1); }
   void Clear(Id triangle) { this->Firsts[static_cast<std::size_t>(triangle)] = -1; }
@@ -38,7 +39,14 @@ public:
   }
 
 private:
-  std::vector<Id> Points;
+  struct Sample
+  {
+    Vec3 point;
+    double tolerance;
+  };
+  void Add(const Vec3& point, double tolerance, Id triangle);
+
+  std::vector<Sample> Places;
   std::vector<int> Nexts;
   std::vector<int> Firsts; ///< one a triangle
 };

@@ -11,7 +11,7 @@ namespace
 {
 
 /// What is left of the tolerance for the last correction of the volumes and for rounding.
-constexpr double reserve = 0.97;
+constexpr double reserve = 0.9;
 
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {

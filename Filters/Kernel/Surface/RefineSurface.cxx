@@ -81,6 +81,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
+  refinement.UncoverNodes();
   for (int i = 0; i < options.iterations; ++i)
   {
     monitor.Progress(static_cast<double>(i) / (options.iterations + 1), "refining");
