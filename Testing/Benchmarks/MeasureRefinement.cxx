@@ -188,6 +188,10 @@ int main(int argc, char** argv)
   {
     surface.targetEdgeLength.assign(surface.points.size(), uniform);
   }
+  for (double& target : surface.targetEdgeLength)
+  {
+    target *= arguments.Get("scale", 1);
+  }
   const TriangleComplex input = surface;
   RefineSurfaceOptions options;
   options.iterations = static_cast<int>(arguments.Get("iterations", options.iterations));

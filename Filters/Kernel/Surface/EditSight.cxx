@@ -12,6 +12,7 @@ namespace lamina
 namespace
 {
 
+constexpr double leastVisibilityMending = 0.42; ///< the same while a node is uncovered that sees less
 constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
 
 } // namespace
@@ -149,7 +150,8 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
     {
       return false;
     }
-    if (after < leastVisibility && after < this->Visibility(p, nullptr))
+    const double least = this->Mending ? leastVisibilityMending : leastVisibility;
+    if (after < least && after < this->Visibility(p, nullptr))
     {
       return false;
     }
@@ -167,7 +169,8 @@ bool EditableSurface::Uncover(Id p, double goal)
   this->Mending = true;
   this->Mended = p;
   this->MendedSight = std::min(goal, before + 0.02);
-  const bool done = this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p);
+  const bool done =
+    this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) || this->UncoverBySearch(p);
   this->Mending = false;
   this->Mended = -1;
   return done;
@@ -202,15 +205,8 @@ bool EditableSurface::UncoverByMove(Id p)
 
 bool EditableSurface::UncoverByMerge(Id p)
 {
-  std::vector<Id> ring;
-  for (Id t : this->Star(p))
-  {
-    const Triangle& c = this->Corners(t);
-    ring.insert(ring.end(), c.begin(), c.end());
-  }
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return q != p && this->Merge(p, q, true); });
+  const std::vector<Id> ring = this->RingOf(p);
+  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return this->Merge(p, q, true); });
 }
 
 bool EditableSurface::UncoverBySwap(Id p)
@@ -228,6 +224,57 @@ bool EditableSurface::UncoverBySwap(Id p)
     }
   }
   return false;
+}
+
+/// Try many small moves of p and the points around it.
+bool EditableSurface::UncoverBySearch(Id p)
+{
+  std::vector<Id> ring = this->RingOf(p);
+  ring.insert(ring.begin(), p);
+  for (const double step : { 0.25, 0.1, 0.04 })
+  {
+    for (Id q : ring)
+    {
+      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet)
+      {
+        continue;
+      }
+      double worst = 1;
+      for (Id t : this->Star(q))
+      {
+        worst = std::min(worst, this->Quality(t));
+      }
+      for (int i = 0; i < 27; ++i)
+      {
+        const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
+        if (this->TryMove(q, this->Point(q) + step * this->Target(q) * Normalized(way),
+                          std::min(0.35, worst)))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// The points that share a triangle with p, ascending, without p.
+std::vector<Id> EditableSurface::RingOf(Id p) const
+{
+  std::vector<Id> ring;
+  for (Id t : this->Star(p))
+  {
+    for (Id q : this->Corners(t))
+    {
+      if (q != p)
+      {
+        ring.push_back(q);
+      }
+    }
+  }
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return ring;
 }
 
 } // namespace lamina

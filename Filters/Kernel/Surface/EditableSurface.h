@@ -104,6 +104,8 @@ private:
   bool UncoverByMove(Id p);
   bool UncoverByMerge(Id p);
   bool UncoverBySwap(Id p);
+  bool UncoverBySearch(Id p);
+  std::vector<Id> RingOf(Id p) const;
 
   // Is the edit sound, with the coordinates that points have now?
   bool IsSound(Edit& edit) const;

@@ -10,8 +10,8 @@ namespace lamina
 namespace
 {
 
-/// What is left of the tolerance for the last correction of the volumes and for rounding.
-constexpr double reserve = 0.9;
+/// What edits may use of the tolerance: the rest is for what lies between the places that are looked at.
+constexpr double reserve = 0.8;
 
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {

@@ -108,7 +108,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     report.largestVolumeChange =
       std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
-  MeasureRefined(surface, report);
+  MeasureRefined(surface, report, monitor);
   monitor.Progress(1, "refined");
   return report;
 }

@@ -18,6 +18,9 @@ struct RefineSurfaceOptions
     0; ///< largest distance to the input surface, a length; 0: a tenth of the local feature size
 };
 
+/// Bit of MeshingFlags on points: no direction into a material sees all its faces around the point.
+constexpr unsigned char FlagHiddenNode = 16;
+
 struct RefineSurfaceReport
 {
   Id splits = 0;
@@ -29,6 +32,7 @@ struct RefineSurfaceReport
   double largestVolumeChange = 0; ///< relative, over all materials, after the final correction
   Id hiddenNodes = 0;             ///< wall nodes without a direction that sees all faces of a material
   std::vector<Vec3> hiddenPlaces;
+  std::vector<Id> hiddenPoints; ///< their ids in the refined surface, ascending
 };
 
 /// Needs surface.targetEdgeLength; the fields of the points (featureSize, thickness, ...) are carried to the

@@ -11,27 +11,35 @@ namespace lamina
 void Refinement::UncoverNodes()
 {
   constexpr double goal = 0.5;
-  for (int round = 0; round < 8; ++round)
+  constexpr double enough = 0.41;
+  std::vector<Id> candidates;
+  for (Id p = 0; p < this->Surface.PointCount(); ++p)
+  {
+    candidates.push_back(p);
+  }
+  for (int round = 0; round < 12 && !candidates.empty(); ++round)
   {
     std::vector<std::pair<double, Id>> hidden;
-    for (Id p = 0; p < this->Surface.PointCount(); ++p)
+    for (Id p : candidates)
     {
       const double sight = this->Surface.Star(p).empty() ? 1 : this->Surface.Visibility(p);
-      if (sight < goal)
+      if (sight < (round == 0 ? goal : enough))
       {
         hidden.push_back({ sight, p });
       }
     }
     std::sort(hidden.begin(), hidden.end());
-    Id mended = 0;
+    candidates.clear();
+    bool better = false;
     for (const auto& node : hidden)
     {
+      candidates.push_back(node.second);
       for (int again = 0; again < 4 && !this->Stopped() && this->Surface.Uncover(node.second, goal); ++again)
       {
-        ++mended;
+        better = true;
       }
     }
-    if (mended == 0)
+    if (!better)
     {
       return;
     }

@@ -14,6 +14,6 @@ void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& she
                                  const std::vector<double>& targets, Monitor& monitor);
 
 /// Fills in what the refined surface is like.
-void MeasureRefined(const TriangleComplex& surface, RefineSurfaceReport& report);
+void MeasureRefined(const TriangleComplex& surface, RefineSurfaceReport& report, Monitor& monitor);
 
 } // namespace lamina
