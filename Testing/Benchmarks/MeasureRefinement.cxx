@@ -195,6 +195,9 @@ int main(int argc, char** argv)
   const TriangleComplex input = surface;
   RefineSurfaceOptions options;
   options.iterations = static_cast<int>(arguments.Get("iterations", options.iterations));
+  options.tangentialAnisotropy = arguments.Get("stretch", 1);
+  options.splitRatio = arguments.Get("split", options.splitRatio);
+  options.mergeRatio = arguments.Get("merge", options.mergeRatio);
   options.tolerance = arguments.Get("tolerance", 0);
   const std::clock_t clock = std::clock();
   const auto begin = std::chrono::steady_clock::now();
@@ -207,6 +210,10 @@ int main(int argc, char** argv)
   std::printf("%s: %zu -> %zu triangles, %.1f s (%.1f s of processors), %.2f GiB\n", path.c_str(),
               input.triangles.size(), surface.triangles.size(), seconds, used,
               static_cast<double>(memory.ru_maxrss) / (1 << 20));
+  std::printf("  triangles: %.2f times those of equilateral ones of the targets\n",
+              static_cast<double>(surface.triangles.size()) / measures::EquilateralTriangles(input));
+  std::printf("  reported: %.3f %% of edges in range, %.4f %% of triangles above 0.4, least %.3f\n",
+              100 * report->edgesInRange, 100 * report->goodTriangles, report->leastQuality);
   std::printf("  splits %lld, merges %lld, swaps %lld\n", report->splits, report->merges, report->swaps);
   if (arguments.Get("measure", 1) > 0)
   {

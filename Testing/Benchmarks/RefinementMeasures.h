@@ -25,6 +25,22 @@ inline const Vec3& At(const TriangleComplex& s, Id p)
   return s.points[static_cast<std::size_t>(p)];
 }
 
+/// How many equilateral triangles of the targets cover the surface.
+inline double EquilateralTriangles(const TriangleComplex& s)
+{
+  double count = 0;
+  for (const Triangle& t : s.triangles)
+  {
+    double h = 0;
+    for (Id p : t)
+    {
+      h += s.targetEdgeLength[static_cast<std::size_t>(p)] / 3;
+    }
+    count += 0.5 * Norm(AreaVector2(s.points, t)) / (std::sqrt(3.0) / 4 * h * h);
+  }
+  return count;
+}
+
 inline void PrintEdges(const TriangleComplex& s)
 {
   const EdgeTable table = MakeEdgeTable(s.triangles);

@@ -3,7 +3,6 @@
 #include "EditableSurface.h"
 
 #include "../Geometry/Predicates.h"
-#include "../Geometry/Quality.h"
 
 #include <algorithm>
 #include <limits>
@@ -37,7 +36,7 @@ bool EditableSurface::HasGoodShapes(Edit& edit) const
     t.normal = Normalized(Cross(b - a, c - a));
     this->Boxes.push_back(this->BoxOf(t.corners));
     if ((!this->Mending && Dot(t.normal, t.before) < leastTurnCosine) ||
-        !(TriangleQuality(a, b, c) >= edit.leastQuality))
+        !(this->Quality(t.corners) >= edit.leastQuality))
     {
       return false;
     }

@@ -117,6 +117,10 @@ bool EditableSurface::Relax(Id p)
       if (place.triangle >= 0)
       {
         this->Targets[U(p)] = this->Input.TargetAt(place);
+        if (!this->Stretches.empty())
+        {
+          this->Stretches[U(p)] = this->Input.StretchAt(place);
+        }
       }
       return true;
     }

@@ -12,6 +12,7 @@ namespace lamina
 namespace
 {
 
+constexpr double rounding = 1e-12;
 constexpr double leastVisibilityMending = 0.42; ///< the same while a node is uncovered that sees less
 constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
 
@@ -142,8 +143,7 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (Id p : nodes)
   {
-    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new:
-    // the old value is only approximate for a moved point, which errs on the strict side.)
+    // A node that was hidden before may stay so, but no edit may hide it more.
     const double after = this->SightAfter(p, edit);
     allVisible = allVisible && after >= leastVisibility;
     if (p == this->Mended && after < this->MendedSight)
@@ -151,7 +151,7 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
       return false;
     }
     const double least = this->Mending ? leastVisibilityMending : leastVisibility;
-    if (after < least && after < this->Visibility(p, nullptr))
+    if (after < least && after < this->Visibility(p, nullptr) - rounding)
     {
       return false;
     }

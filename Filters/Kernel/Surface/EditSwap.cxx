@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Swapping an edge for the other diagonal.
-#include "../Geometry/Quality.h"
 #include "EditCorners.h"
 #include "EditableSurface.h"
 
@@ -30,8 +29,7 @@ bool EditableSurface::Swap(Id a, Id b)
   }
   const double worst = std::min(this->Quality(shared[0]), this->Quality(shared[1]));
   const double least = this->Mending ? std::min(0.3, worst) : worst * 1.01;
-  const double q = std::min(TriangleQuality(this->Point(a), this->Point(d), this->Point(c)),
-                            TriangleQuality(this->Point(d), this->Point(b), this->Point(c)));
+  const double q = std::min(this->Quality({ { a, d, c } }), this->Quality({ { d, b, c } }));
   if (q < least)
   {
     return false;

@@ -6,7 +6,7 @@
 namespace lamina
 {
 
-void EditableSurface::Write(TriangleComplex& surface) const
+void EditableSurface::Write(TriangleComplex& surface, Monitor& monitor) const
 {
   const TriangleComplex& from = this->Input.Surface();
   surface = TriangleComplex{};
@@ -39,21 +39,73 @@ void EditableSurface::Write(TriangleComplex& surface) const
       surface.patches.push_back(from.Patch(model));
     }
   }
+  this->WriteFields(surface, sheetOfPoint, monitor);
+  ClassifyJunctions(surface);
+}
+
+/// The fields of the input at the new points.
+void EditableSurface::WriteFields(TriangleComplex& surface, const std::vector<int>& sheetOfPoint,
+                                  Monitor& monitor) const
+{
+  const TriangleComplex& from = this->Input.Surface();
+  const std::size_t count = surface.points.size();
   const std::size_t columns = from.sizedMaterials.size();
-  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  const auto widen = [&](auto& field, const auto& source, std::size_t stride)
+  { field.resize(source.empty() ? 0 : stride * count); };
+  widen(surface.targetEdgeLength, from.targetEdgeLength, 1);
+  widen(surface.featureSize, from.featureSize, 1);
+  widen(surface.thickness, from.thickness, columns);
+  widen(surface.maximumCurvature, from.maximumCurvature, 1);
+  widen(surface.minimumCurvature, from.minimumCurvature, 1);
+  widen(surface.maximumCurvatureDirection, from.maximumCurvatureDirection, 1);
+  monitor.For(static_cast<Id>(count), 1024,
+              [&](Id begin, Id end)
+              {
+                for (Id i = begin; i < end; ++i)
+                {
+                  const std::size_t p = U(i);
+                  const auto place = this->Input.ClosestOnSheet(sheetOfPoint[p], surface.points[p], 1e300);
+                  const auto take = [&](auto& field, const auto& source, std::size_t stride)
+                  {
+                    for (std::size_t m = 0; m < stride && !field.empty(); ++m)
+                    {
+                      field[stride * p + m] = this->Input.Interpolate(source, place, stride, m);
+                    }
+                  };
+                  take(surface.targetEdgeLength, from.targetEdgeLength, 1);
+                  take(surface.featureSize, from.featureSize, 1);
+                  take(surface.thickness, from.thickness, columns);
+                  take(surface.maximumCurvature, from.maximumCurvature, 1);
+                  take(surface.minimumCurvature, from.minimumCurvature, 1);
+                  if (!surface.maximumCurvatureDirection.empty())
+                  {
+                    surface.maximumCurvatureDirection[p] =
+                      Normalized(this->Input.InterpolateAxis(from.maximumCurvatureDirection, place));
+                  }
+                }
+              });
+}
+
+std::vector<Stretch> EditableSurface::WrittenStretches() const
+{
+  std::vector<Stretch> stretches;
+  std::vector<char> isWritten(this->Points.size(), 0);
+  for (Id t = 0; t < this->TriangleCount() && !this->Stretches.empty(); ++t)
   {
-    TriangleTree::Closest place = this->Input.ClosestOnSheet(sheetOfPoint[p], surface.points[p], 1e300);
-    surface.targetEdgeLength.push_back(this->Input.TargetAt(place));
-    if (!from.featureSize.empty())
+    if (!this->IsAlive(t))
     {
-      surface.featureSize.push_back(this->Input.Interpolate(from.featureSize, place));
+      continue;
     }
-    for (std::size_t m = 0; m < columns; ++m)
+    for (Id p : this->Corners(t))
     {
-      surface.thickness.push_back(this->Input.Interpolate(from.thickness, place, columns, m));
+      if (!isWritten[U(p)])
+      {
+        isWritten[U(p)] = 1;
+        stretches.push_back(this->Stretches[U(p)]);
+      }
     }
   }
-  ClassifyJunctions(surface);
+  return stretches;
 }
 
 SheetGraph EditableSurface::WrittenSheets() const

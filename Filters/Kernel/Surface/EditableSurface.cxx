@@ -38,6 +38,7 @@ EditableSurface::EditableSurface(const InputSurface& input, double mergeRatio, d
   , SplitRatio(splitRatio)
   , Points(input.Surface().points)
   , Targets(input.Surface().targetEdgeLength)
+  , Stretches(input.Stretches())
   , Classes(Points.size())
   , Stars(Points.size())
   , Relaxed(Points.size(), -1)
@@ -72,10 +73,18 @@ Id EditableSurface::AddTriangle()
   return this->TriangleCount() - 1;
 }
 
-double EditableSurface::Quality(Id triangle) const
+double EditableSurface::Quality(const Triangle& t) const
 {
-  const Triangle& t = this->Corners(triangle);
-  return TriangleQuality(this->Point(t[0]), this->Point(t[1]), this->Point(t[2]));
+  const Vec3& a = this->Point(t[0]);
+  const Vec3& b = this->Point(t[1]);
+  const Vec3& c = this->Point(t[2]);
+  if (this->Stretches.empty())
+  {
+    return TriangleQuality(a, b, c);
+  }
+  const Stretch stretch =
+    MeanStretch(this->Stretches[U(t[0])], this->Stretches[U(t[1])], this->Stretches[U(t[2])]);
+  return TriangleQuality({}, Unstretched(b - a, stretch), Unstretched(c - a, stretch));
 }
 
 EdgeTriangles EditableSurface::TrianglesAt(Id a, Id b) const
@@ -197,6 +206,12 @@ Id EditableSurface::Split(Id a, Id b)
   this->Targets.push_back(std::sqrt(this->Target(a) * this->Target(b)));
   this->Classes.push_back(this->IsFeature(shared) ? OnCurve : OnSheet);
   this->Relaxed.push_back(-1);
+  if (!this->Stretches.empty())
+  {
+    const Stretch& s = this->Stretches[U(a)];
+    const Stretch& t = this->Stretches[U(b)];
+    this->Stretches.push_back(0.5 * (Dot(s, t) < 0 ? s - t : s + t));
+  }
   this->Stars.emplace_back();
   Edit& edit = this->RemovalOf(shared);
   for (Id t : edit.removed)

@@ -28,13 +28,22 @@ public:
   Id TriangleCount() const { return static_cast<Id>(this->Triangles.size()); }
   const Triangle& Corners(Id triangle) const { return this->Triangles[static_cast<std::size_t>(triangle)]; }
   const std::vector<Id>& Star(Id p) const { return this->Stars[static_cast<std::size_t>(p)]; }
-  double Length(Id a, Id b) const { return Norm(this->Point(a) - this->Point(b)); }
+  /// The length of an edge, in the metric of the stretches.
+  double Length(Id a, Id b) const
+  {
+    const Vec3 edge = this->Point(a) - this->Point(b);
+    return this->Stretches.empty()
+             ? Norm(edge)
+             : std::sqrt(StretchedLength2(edge, this->Stretches[static_cast<std::size_t>(a)],
+                                          this->Stretches[static_cast<std::size_t>(b)]));
+  }
   /// Length over the stricter target of the two ends.
   double RelativeLength(Id a, Id b) const
   {
     return this->Length(a, b) / std::min(this->Target(a), this->Target(b));
   }
-  double Quality(Id triangle) const;
+  /// 2 r/R in the metric of the stretches.
+  double Quality(Id triangle) const { return this->Quality(this->Corners(triangle)); }
   /// The triangles at edge (a, b).
   EdgeTriangles TrianglesAt(Id a, Id b) const;
   /// A count of the changes so far, and its value when a triangle last changed or one of its points moved.
@@ -59,7 +68,9 @@ public:
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
 
   /// The result: points and triangles compacted, fields interpolated from the input.
-  void Write(TriangleComplex& surface) const;
+  void Write(TriangleComplex& surface, Monitor& monitor) const;
+  /// The stretches of the points as Write() puts them out, or none.
+  std::vector<Stretch> WrittenStretches() const;
   /// The sheets of the triangles as Write() puts them out, with the shells of the input.
   SheetGraph WrittenSheets() const;
 
@@ -89,6 +100,7 @@ private:
     std::vector<SampleOwner> owners; ///< of the input's samples on the removed triangles
   };
 
+  double Quality(const Triangle& corners) const;
   bool IsFeature(const EdgeTriangles& triangles) const;
   bool LinkAllows(Id gone, Id kept, const EdgeTriangles& shared) const;
   Vec3 MergedPlace(Id gone, Id kept, const EdgeTriangles& shared) const;
@@ -101,6 +113,7 @@ private:
   bool HasChanged(Id p) const;
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
 
+  void WriteFields(TriangleComplex& surface, const std::vector<int>& sheetOfPoint, Monitor& monitor) const;
   bool UncoverByMove(Id p);
   bool UncoverByMerge(Id p);
   bool UncoverBySwap(Id p);
@@ -132,6 +145,7 @@ private:
   double SplitRatio;
   std::vector<Vec3> Points;
   std::vector<double> Targets;
+  std::vector<Stretch> Stretches; ///< one a point, or none
   std::vector<Class> Classes;
   std::vector<std::vector<Id>> Stars;
   std::vector<Triangle> Triangles;

@@ -21,17 +21,26 @@ double DefaultTolerance(const TriangleComplex& surface, std::size_t point, doubl
 
 } // namespace
 
-InputSurface::InputSurface(const TriangleComplex& surface, double tolerance)
+InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy,
+                           Monitor& monitor)
   : Complex(surface)
   , Graph(MakeSheetGraph(Complex))
   , Mean(MeanEdgeLength(Complex))
   , Widest(0)
 {
+  if (this->Complex.junctionKind.size() != this->Complex.points.size())
+  {
+    ClassifyJunctions(this->Complex);
+  }
   for (std::size_t p = 0; p < this->Complex.points.size(); ++p)
   {
     this->Tolerances.push_back(reserve *
                                (tolerance > 0 ? tolerance : DefaultTolerance(this->Complex, p, this->Mean)));
     this->Widest = std::max(this->Widest, this->Tolerances.back());
+  }
+  if (anisotropy > 1)
+  {
+    this->PointStretches = FindStretches(this->Complex, anisotropy, monitor);
   }
   std::vector<std::vector<Id>> members(this->Graph.shellsOfSheet.size());
   for (std::size_t t = 0; t < this->Complex.triangles.size(); ++t)
@@ -73,6 +82,14 @@ bool InputSurface::IsNear(int sheet, const Vec3& p, Id& hint) const
                          hint = within ? place.triangle : hint;
                          return within;
                        });
+}
+
+Vec3 InputSurface::InterpolateAxis(const std::vector<Vec3>& field, const TriangleTree::Closest& place) const
+{
+  const Triangle& t = this->Complex.triangles[static_cast<std::size_t>(place.triangle)];
+  const auto weighted = [&](std::size_t k)
+  { return 3 * place.weights[k] * field[static_cast<std::size_t>(t[k])]; };
+  return MeanStretch(weighted(0), weighted(1), weighted(2));
 }
 
 double InputSurface::Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,

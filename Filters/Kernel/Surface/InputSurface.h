@@ -5,6 +5,7 @@
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/VolumeCorrection.h"
 #include "../Search/TriangleTree.h"
+#include "StretchField.h"
 
 #include <memory>
 
@@ -17,7 +18,8 @@ public:
   /// `tolerance`: largest distance of edits, a length; 0: the smaller of a tenth of the local feature size (a
   /// fifth of the target where there is no feature size) and half a mean edge, which is less than half a
   /// voxel.
-  InputSurface(const TriangleComplex& surface, double tolerance);
+  /// `anisotropy`: how much longer edges may be along the least curvature.
+  InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy, Monitor& monitor);
 
   const TriangleComplex& Surface() const { return this->Complex; }
   const SheetGraph& Sheets() const { return this->Graph; }
@@ -33,6 +35,14 @@ public:
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);
   }
+  /// A field of axes, which point either way, at a place.
+  Vec3 InterpolateAxis(const std::vector<Vec3>& field, const TriangleTree::Closest& place) const;
+  Stretch StretchAt(const TriangleTree::Closest& place) const
+  {
+    return this->InterpolateAxis(this->PointStretches, place);
+  }
+  /// One a point, or none if all edges are to be alike.
+  const std::vector<Stretch>& Stretches() const { return this->PointStretches; }
   /// A point field at a place; NaN corners are left out.
   double Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,
                      std::size_t stride = 1, std::size_t component = 0) const;
@@ -46,6 +56,7 @@ private:
   double Mean;
   double Widest; ///< the largest tolerance
   std::vector<double> Tolerances;
+  std::vector<Stretch> PointStretches;
   std::vector<std::unique_ptr<TriangleTree>> Trees; ///< one a sheet
 };
 

@@ -8,12 +8,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace lamina
 {
 
 namespace
 {
+
+std::string Text(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSurfaceOptions& options,
                                   Monitor& monitor)
@@ -31,6 +39,10 @@ Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSu
   {
     return InvalidOption("the tolerance must be positive, or 0 for a tenth of the feature size");
   }
+  if (!(options.tangentialAnisotropy >= 1) || !(options.tangentialAnisotropy <= 4))
+  {
+    return InvalidOption("the tangential anisotropy must be 1 (edges alike in all directions) to 4");
+  }
   if (const std::optional<Error> error = CheckClosed(surface, true, monitor))
   {
     return *error;
@@ -39,6 +51,26 @@ Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSu
   {
     return InvalidInput("there is no target edge length on the points: run Feature Size first, or give an "
                         "array TargetEdgeLength");
+  }
+  Box box;
+  for (const Vec3& p : surface.points)
+  {
+    box.Add(p);
+  }
+  const double least = 1e-13 * std::max({ Norm(box.low), Norm(box.high), Norm(box.high - box.low) });
+  if (options.tolerance > 0 && options.tolerance < least)
+  {
+    return InvalidOption("the tolerance " + Text(options.tolerance) +
+                         " is below what coordinates can hold here, " + Text(least) +
+                         ": give a larger one, or 0 for a tenth of the feature size");
+  }
+  const auto hasAll = [&](const auto& field) { return field.size() == surface.points.size(); };
+  if (options.tangentialAnisotropy > 1 &&
+      !(hasAll(surface.maximumCurvature) && hasAll(surface.minimumCurvature) &&
+        hasAll(surface.maximumCurvatureDirection)))
+  {
+    return InvalidInput(
+      "a tangential anisotropy above 1 needs the curvatures of the surface: run Feature Size first");
   }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
@@ -71,13 +103,9 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   {
     return report;
   }
-  if (surface.junctionKind.size() != surface.points.size())
-  {
-    ClassifyJunctions(surface);
-  }
   const std::vector<int> materials = MaterialsOf(surface);
   const std::vector<double> before = MaterialVolumes(surface, materials);
-  const InputSurface input(surface, options.tolerance);
+  const InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
@@ -95,7 +123,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   refinement.MendShapes(report);
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;
-  editable.Write(refined);
+  editable.Write(refined, monitor);
   RestoreWithoutIntersections(refined, editable.WrittenSheets(), targets, monitor);
   if (monitor.Cancelled())
   {
@@ -108,7 +136,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     report.largestVolumeChange =
       std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
-  MeasureRefined(surface, report, monitor);
+  MeasureRefined(surface, editable.WrittenStretches(), report, monitor);
   monitor.Progress(1, "refined");
   return report;
 }

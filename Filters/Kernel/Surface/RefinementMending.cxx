@@ -34,7 +34,8 @@ void Refinement::UncoverNodes()
     for (const auto& node : hidden)
     {
       candidates.push_back(node.second);
-      for (int again = 0; again < 4 && !this->Stopped() && this->Surface.Uncover(node.second, goal); ++again)
+      for (int again = 0; again < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(node.second, goal);
+           ++again)
       {
         better = true;
       }

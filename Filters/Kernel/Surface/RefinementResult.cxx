@@ -110,26 +110,36 @@ void FindHiddenNodes(const TriangleComplex& surface, RefineSurfaceReport& report
 
 } // namespace
 
-void MeasureRefined(const TriangleComplex& surface, RefineSurfaceReport& report, Monitor& monitor)
+void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& stretches,
+                    RefineSurfaceReport& report, Monitor& monitor)
 {
+  constexpr double good = 0.4;
   report.triangles = static_cast<Id>(surface.triangles.size());
   report.leastQuality = 1;
   Id inRange = 0;
-  Id edges = 0;
+  Id fair = 0;
   for (const Triangle& t : surface.triangles)
   {
-    const auto at = [&](std::size_t k) { return surface.points[static_cast<std::size_t>(t[k % 3])]; };
-    report.leastQuality = std::min(report.leastQuality, TriangleQuality(at(0), at(1), at(2)));
+    const auto index = [&](std::size_t k) { return static_cast<std::size_t>(t[k % 3]); };
+    const auto stretch = [&](std::size_t k) { return stretches.empty() ? Stretch{} : stretches[index(k)]; };
+    const Stretch mean = MeanStretch(stretch(0), stretch(1), stretch(2));
+    const Vec3& a = surface.points[index(0)];
+    const double quality = TriangleQuality({}, Unstretched(surface.points[index(1)] - a, mean),
+                                           Unstretched(surface.points[index(2)] - a, mean));
+    report.leastQuality = std::min(report.leastQuality, quality);
+    fair += quality >= good ? 1 : 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const double h = 0.5 * (surface.targetEdgeLength[static_cast<std::size_t>(t[k])] +
-                              surface.targetEdgeLength[static_cast<std::size_t>(t[(k + 1) % 3])]);
-      const double r = Norm(at(k) - at(k + 1)) / h;
-      ++edges;
+      const double h = 0.5 * (surface.targetEdgeLength[index(k)] + surface.targetEdgeLength[index(k + 1)]);
+      const Vec3 edge = surface.points[index(k)] - surface.points[index(k + 1)];
+      const double r = std::sqrt(StretchedLength2(edge, stretch(k), stretch(k + 1))) / h;
       inRange += r >= 0.5 && r <= 1.5 ? 1 : 0;
     }
   }
-  report.edgesInRange = edges > 0 ? static_cast<double>(inRange) / static_cast<double>(edges) : 1;
+  const auto share = [&](Id count, Id of)
+  { return of > 0 ? static_cast<double>(count) / static_cast<double>(of) : 1; };
+  report.edgesInRange = share(inRange, 3 * report.triangles);
+  report.goodTriangles = share(fair, report.triangles);
   FindHiddenNodes(surface, report, monitor);
 }
 

@@ -4,6 +4,7 @@
 
 #include "../Mesh/VolumeCorrection.h"
 #include "RefineSurface.h"
+#include "StretchField.h"
 
 namespace lamina
 {
@@ -13,7 +14,9 @@ namespace lamina
 void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& sheets,
                                  const std::vector<double>& targets, Monitor& monitor);
 
-/// Fills in what the refined surface is like.
-void MeasureRefined(const TriangleComplex& surface, RefineSurfaceReport& report, Monitor& monitor);
+/// Fills in what the refined surface is like. `stretches`: the metric of lengths and qualities, one a point,
+/// or none.
+void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& stretches,
+                    RefineSurfaceReport& report, Monitor& monitor);
 
 } // namespace lamina
