@@ -68,6 +68,11 @@ lamina::Status SetTargets(vtkPolyData* input, double length, const std::string& 
 
 } // namespace
 
+vtkFeatureSizeRefinement::vtkFeatureSizeRefinement()
+  : TargetArray(lamina::names::TargetEdgeLength)
+{
+}
+
 int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                           vtkInformationVector* outputs)
 {

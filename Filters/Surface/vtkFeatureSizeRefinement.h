@@ -104,7 +104,7 @@ public:
   ///@}
 
 protected:
-  vtkFeatureSizeRefinement() = default;
+  vtkFeatureSizeRefinement();
   ~vtkFeatureSizeRefinement() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -115,7 +115,7 @@ private:
 
   int Iterations = 6;
   double EdgeLength = 0.0;
-  std::string TargetArray = "TargetEdgeLength";
+  std::string TargetArray;
   double SplitRatio = 1.4;
   double MergeRatio = 0.7;
   double Tolerance = 0.0;
