@@ -185,3 +185,17 @@ TEST(RefineShapes, FourTrianglesStayFourOrGrow)
     EXPECT_LT(report.largestVolumeChange, 1e-6) << target;
   }
 }
+
+TEST(RefineShapes, TargetsFarFromTheInputsEdgesAreNoTrouble)
+{
+  TriangleComplex box;
+  shapes::AddBox(box, {}, { 50, 50, 50 }, { 1, 1, 1 }, { 1, 0 });
+  box.targetEdgeLength.assign(box.points.size(), 1.5);
+  EXPECT_GT(Refine(box).triangles, 12000);
+  TriangleComplex sphere;
+  shapes::AddSphere(sphere, {}, 1, 4, { 1, 0 });
+  sphere.targetEdgeLength.assign(sphere.points.size(), 1e6);
+  const auto report = Refine(sphere);
+  EXPECT_LT(report.triangles, 1000); // as few as the tolerance lets it be
+  EXPECT_LT(report.largestVolumeChange, 1e-6);
+}

@@ -134,13 +134,17 @@ double EditableSurface::SightAfter(Id p, const Edit& edit) const
 
 bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
 {
-  std::vector<Id> nodes;
+  ShortList<Id, 32> nodes;
   for (const Added& t : edit.added)
   {
-    nodes.insert(nodes.end(), t.corners.begin(), t.corners.end());
+    for (Id p : t.corners)
+    {
+      if (std::find(nodes.begin(), nodes.end(), p) == nodes.end())
+      {
+        nodes.push_back(p);
+      }
+    }
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (Id p : nodes)
   {
     // A node that was hidden before may stay so, but no edit may hide it more.

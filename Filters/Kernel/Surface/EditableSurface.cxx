@@ -12,12 +12,14 @@ namespace lamina
 namespace
 {
 
-/// About one and a half edges of what is to come.
+/// About one and a half edges of what is to come, unless the triangles that are there are far smaller or
+/// larger.
 double GridCell(const InputSurface& input)
 {
   const TriangleComplex& surface = input.Surface();
   double triangles = 0;
   double edges = 0;
+  double longest = 0;
   for (const Triangle& t : surface.triangles)
   {
     const double h = (1.0 / 3) * (surface.targetEdgeLength[U(t[0])] + surface.targetEdgeLength[U(t[1])] +
@@ -25,9 +27,15 @@ double GridCell(const InputSurface& input)
     const double count = Norm(AreaVector2(surface.points, t)) / (h * h);
     triangles += count;
     edges += count * h;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      longest = std::max(longest, Norm(surface.points[U(t[k])] - surface.points[U(t[(k + 1) % 3])]));
+    }
   }
-  const double aim = edges / triangles;
-  return triangles > 0 ? 1.5 * std::clamp(input.MeanEdge(), 0.5 * aim, aim) : 1;
+  constexpr double mostCellsAcross = 48; // of one triangle
+  const double aim = triangles > 0 ? edges / triangles : input.MeanEdge();
+  const double cell = 1.5 * std::min(std::clamp(input.MeanEdge(), 0.5 * aim, aim), 4 * input.MeanEdge());
+  return std::max(cell, longest / mostCellsAcross);
 }
 
 } // namespace
