@@ -297,18 +297,17 @@ void WriteLayers(const std::vector<int>& achieved, const std::vector<double>& fr
   SetOrRemove<vtkDoubleArray>(output->GetCellData(), names::LayerFraction, fraction);
 }
 
-Status RequireTargetEdgeLength(const TriangleComplex& surface)
+Status RequireTargetEdgeLength(const TriangleComplex& surface, const char* name)
 {
   if (surface.targetEdgeLength.empty())
   {
-    return MissingArray(names::TargetEdgeLength, "points", "Feature Size");
+    return MissingArray(name, "points", "Feature Size");
   }
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
     if (!(surface.targetEdgeLength[i] > 0) || !std::isfinite(surface.targetEdgeLength[i]))
     {
-      return InvalidInput(std::string(names::TargetEdgeLength) + " of point " + std::to_string(i) +
-                            " is not a positive number",
+      return InvalidInput(std::string(name) + " of point " + std::to_string(i) + " is not a positive number",
                           { surface.points[i] });
     }
   }

@@ -24,8 +24,9 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output);
 /// Put LayersAchieved and LayerFraction on the triangles.
 void WriteLayers(const std::vector<int>& achieved, const std::vector<double>& fraction, vtkPolyData* output);
 
-/// A failure if the surface has no usable TargetEdgeLength: the message names the filter that makes it.
-Status RequireTargetEdgeLength(const TriangleComplex& surface);
+/// A failure if the surface has no usable target edge length, which came from the array `name`: the message
+/// names the filter that makes it.
+Status RequireTargetEdgeLength(const TriangleComplex& surface, const char* name);
 /// A failure if the surface has no MaterialFeatureSize: the message names the filter that makes it.
 Status RequireThickness(const TriangleComplex& surface);
 

@@ -3,18 +3,24 @@
  * @class   vtkFeatureSizeRefinement
  * @brief   remeshes a surface between materials to the edge lengths it asks for
  *
- * Input: vtkPolyData of triangles with BoundaryLabels and, on the points, TargetEdgeLength (double, from
- * vtkFeatureSize; a painted or uniform array of that name can stand in). FeatureSize, MaterialFeatureSize,
- * PatchIds and the junction arrays are used where they are there.
+ * Input: vtkPolyData of triangles with BoundaryLabels (without them a closed surface of material 1) and, on
+ * the points, TargetEdgeLength (double, from vtkFeatureSize; another array can stand in, see TargetArray, or
+ * one length for all, see EdgeLength). FeatureSize, MaterialFeatureSize, PatchIds and the junction arrays are
+ * used where they are there.
  *
  * Output: vtkPolyData of new triangles with the same arrays, carried to the new points; other arrays are left
- * out.
+ * out. MeshingFlags (unsigned char) on the points is 16 where no direction into a material sees all its faces
+ * around the point with a cosine of 0.4 or more (no good layer can stand there), else 0.
  *
- * Bisection of edges that are too long, merging of those too short, swapping and relaxation along the
- * surface, in rounds.
+ * Bisection of edges that are too long (along the longest edges: M.-C. Rivara, 1984), merging of those too
+ * short, swapping and relaxation along the surface, in rounds; each edit is tested before it is made. With
+ * TangentialAnisotropy lengths and shapes are those of a metric that shortens the direction of least
+ * curvature by up to that factor: by as much as an edge may be longer there and rise no more over the surface
+ * than one across.
  *
  * The volume of each material is kept, no two triangles intersect afterwards, tested exactly, junction curves
- * and border planes are kept. The result does not depend on the number of threads.
+ * and border planes are kept, and neither surface is farther from the other than Tolerance, at the middles of
+ * triangles and at five places of each edge. The result does not depend on the number of threads.
  *
  * @warning A TargetEdgeLength far below the input's edges makes very many triangles: their number grows with
  * its square.
@@ -27,6 +33,8 @@
 
 #include "LaminaSurfaceModule.h" // For the export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <string> // For the name of an array
 
 class LAMINASURFACE_EXPORT vtkFeatureSizeRefinement : public vtkPolyDataAlgorithm
 {
@@ -41,6 +49,22 @@ public:
    */
   vtkSetMacro(Iterations, int);
   vtkGetMacro(Iterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * One target for all edges, a length; 0: TargetArray says. Default: 0.
+   */
+  vtkSetMacro(EdgeLength, double);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The array of target lengths on the points (one component, positive). Default: TargetEdgeLength.
+   */
+  vtkSetStdStringFromCharMacro(TargetArray);
+  vtkGetCharFromStdStringMacro(TargetArray);
   ///@}
 
   ///@{
@@ -61,15 +85,26 @@ public:
 
   ///@{
   /**
-   * The largest distance to the input surface, a length; 0 stands for a tenth of the local feature size.
-   * Default: 0.
+   * The largest distance between input and output, looked at both ways, a length. 0 stands for the smaller of
+   * a tenth of the local FeatureSize (a fifth of TargetEdgeLength where there is none) and half a mean edge
+   * of the input, which on a surface from an image is less than half a voxel. Default: 0.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * How many times longer than TargetEdgeLength edges may be along the direction of least curvature, 1 to 4;
+   * above 1 the input needs MaximumCurvature, MinimumCurvature and MaximumCurvatureDirection from
+   * vtkFeatureSize. Default: 1.
+   */
+  vtkSetMacro(TangentialAnisotropy, double);
+  vtkGetMacro(TangentialAnisotropy, double);
+  ///@}
+
 protected:
-  vtkFeatureSizeRefinement() = default;
+  vtkFeatureSizeRefinement();
   ~vtkFeatureSizeRefinement() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -79,9 +114,12 @@ private:
   void operator=(const vtkFeatureSizeRefinement&) = delete;
 
   int Iterations = 6;
+  double EdgeLength = 0.0;
+  std::string TargetArray;
   double SplitRatio = 1.4;
   double MergeRatio = 0.7;
   double Tolerance = 0.0;
+  double TangentialAnisotropy = 1.0;
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "Inputs.h"
 
 #include "vtkFeatureSizeRefinement.h"
+#include "vtkMath.h"
 
 TEST(FeatureSizeRefinement, NeedsTargets)
 {
@@ -55,5 +56,62 @@ TEST(FeatureSizeRefinement, PropertiesOutOfRange)
   filter->SetTolerance(-1);
   ExpectError(filter, "olerance");
   filter->SetTolerance(0.1);
+  for (const double bad : { 0.5, 4.5 })
+  {
+    filter->SetTangentialAnisotropy(bad);
+    ExpectError(filter, "anisotropy");
+  }
+  filter->SetTangentialAnisotropy(2);
+  ExpectError(filter, "run Feature Size first");
+  filter->SetTangentialAnisotropy(1);
   ExpectFine(filter);
+}
+
+TEST(FeatureSizeRefinement, OneLengthOrAnyArray)
+{
+  auto surface = PlainTetrahedron();
+  vtkNew<vtkFeatureSizeRefinement> filter;
+  filter->SetInputData(surface);
+  filter->SetEdgeLength(0.3);
+  ExpectFine(filter);
+  const vtkIdType count = filter->GetOutput()->GetNumberOfPoints();
+  EXPECT_GT(count, 20);
+  AddUniform(surface, "Painted", 0.3);
+  surface->Modified();
+  filter->SetEdgeLength(0);
+  filter->SetTargetArray("Painted");
+  ExpectFine(filter);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), count);
+  filter->SetTargetArray("Absent");
+  ExpectError(filter, "no Absent on the points");
+  filter->SetEdgeLength(-1);
+  ExpectError(filter, "EdgeLength must be positive");
+  surface->GetPointData()->GetArray("Painted")->SetComponent(2, 0, vtkMath::Nan());
+  surface->Modified();
+  filter->SetEdgeLength(0);
+  filter->SetTargetArray("Painted");
+  ExpectError(filter, "Painted of point 2 is not a positive number");
+}
+
+TEST(FeatureSizeRefinement, FlagsNodesThatNoDirectionSees)
+{
+  auto surface = PlainTetrahedron();
+  vtkNew<vtkFeatureSizeRefinement> filter;
+  filter->SetInputData(surface);
+  filter->SetEdgeLength(0.3);
+  ExpectFine(filter);
+  vtkDataArray* flags = filter->GetOutput()->GetPointData()->GetArray("MeshingFlags");
+  ASSERT_TRUE(flags);
+  EXPECT_EQ(flags->GetNumberOfTuples(), filter->GetOutput()->GetNumberOfPoints());
+  int flagged = 0;
+  for (vtkIdType p = 0; p < flags->GetNumberOfTuples(); ++p)
+  {
+    flagged += flags->GetComponent(p, 0) == 16 ? 1 : 0;
+  }
+  // The corners of a right-angled tetrahedron that three sharp edges meet in.
+  EXPECT_NE(
+    ReportOf(filter->GetOutput(), "SurfaceRefinement").find("\"hiddenNodes\": " + std::to_string(flagged)),
+    std::string::npos)
+    << ReportOf(filter->GetOutput(), "SurfaceRefinement");
+  EXPECT_GT(flagged, 0);
 }

@@ -265,7 +265,12 @@ TEST(RefineSurface, BadOptionsAndSurfaces)
   TriangleComplex open = sphere;
   open.triangles.pop_back();
   open.materials.pop_back();
-  ExpectError(open, {}, Failure::InvalidInput, "");
+  ExpectError(open, {}, Failure::InvalidInput, "open");
+  options = {};
+  options.tolerance = 1e-15;
+  ExpectError(sphere, options, Failure::InvalidOption, "below what coordinates can hold");
+  options.tolerance = std::numeric_limits<double>::quiet_NaN();
+  ExpectError(sphere, options, Failure::InvalidOption, "tolerance");
   TriangleComplex crossing = sphere;
   shapes::AddSphere(crossing, { 15, 1, 2 }, 10, 2, { 1, 0 });
   crossing.targetEdgeLength.resize(crossing.points.size(), 1);
@@ -282,4 +287,90 @@ TEST(RefineSurface, Cancel)
   ASSERT_FALSE(result);
   EXPECT_EQ(result.GetError().kind, Failure::Cancelled);
   EXPECT_EQ(surface.points, before);
+}
+
+namespace
+{
+
+/// Asks to stop once it has been asked `patience` times whether to.
+class ImpatientMonitor : public ThreadMonitor
+{
+public:
+  explicit ImpatientMonitor(int patience)
+    : Patience(patience)
+  {
+  }
+  bool Cancelled() override { return --this->Patience < 0; }
+
+private:
+  int Patience;
+};
+
+} // namespace
+
+TEST(RefineSurface, CancelInTheMiddleLeavesTheInputAsItWas)
+{
+  const TriangleComplex start = Sectors(0.9, true);
+  int stopped = 0;
+  for (const int patience : { 2, 5, 10, 20, 40 })
+  {
+    ImpatientMonitor monitor(patience);
+    TriangleComplex surface = start;
+    surface.junctionKind.clear();
+    surface.junctionOrder.clear();
+    const auto result = RefineSurface(surface, {}, monitor);
+    if (result)
+    {
+      continue;
+    }
+    ++stopped;
+    EXPECT_EQ(result.GetError().kind, Failure::Cancelled) << patience;
+    EXPECT_EQ(surface.points, start.points) << patience;
+    EXPECT_EQ(surface.triangles, start.triangles) << patience;
+    EXPECT_TRUE(surface.junctionKind.empty()) << patience;
+  }
+  EXPECT_GE(stopped, 3);
+}
+
+TEST(RefineSurface, NeitherSurfaceLeavesTheOther)
+{
+  TriangleComplex surface = Sectors(1.4, true);
+  const TriangleComplex before = surface;
+  ThreadMonitor monitor(2);
+  RefineSurfaceOptions options;
+  options.tolerance = 0.1;
+  ASSERT_TRUE(RefineSurface(surface, options, monitor));
+  const auto farthest = [](const TriangleComplex& from, const TriangleComplex& to)
+  {
+    const TriangleTree tree(to.points, to.triangles);
+    double most = 0;
+    for (const Triangle& t : from.triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Vec3& a = from.points[static_cast<std::size_t>(t[k])];
+        const Vec3& b = from.points[static_cast<std::size_t>(t[(k + 1) % 3])];
+        for (const double w : { 0.0, 0.25, 0.5, 0.75 })
+        {
+          most = std::max(most, tree.ClosestPoint((1 - w) * a + w * b).distance2);
+        }
+      }
+    }
+    return std::sqrt(most);
+  };
+  EXPECT_LE(farthest(surface, before), 0.1);
+  EXPECT_LE(farthest(before, surface), 0.1);
+}
+
+TEST(RefineSurface, AnisotropyIsChecked)
+{
+  const TriangleComplex sphere = Sphere(1);
+  RefineSurfaceOptions options;
+  for (const double bad : { 0.9, 4.1, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.tangentialAnisotropy = bad;
+    ExpectError(sphere, options, Failure::InvalidOption, "anisotropy");
+  }
+  options.tangentialAnisotropy = 2;
+  ExpectError(sphere, options, Failure::InvalidInput, "Feature Size");
 }

@@ -204,3 +204,32 @@ TEST(TriangleTree, EmptyAndCoincidentInput)
   EXPECT_EQ(heap.ClosestPoint({ 0.2, 0.2, 1 }).triangle, 0); // ties go to the lower id
   EXPECT_EQ(heap.FirstHit({ 0.2, 0.2, 1 }, { 0, 0, -1 }, 0, 9, [](Id) { return true; }).triangle, 0);
 }
+
+TEST(TriangleTree, FindNearVisitsAllThatIsNear)
+{
+  const Soup soup = MakeSoup(400, 0.1);
+  const TriangleTree tree(soup.points, soup.triangles);
+  const Vec3 p{ 0.5, 0.4, 0.6 };
+  constexpr double limit2 = 0.04;
+  std::set<Id> visited;
+  EXPECT_FALSE(tree.FindNear(p, limit2,
+                             [&](const TriangleTree::Closest& place)
+                             {
+                               EXPECT_LE(place.distance2, limit2);
+                               visited.insert(place.triangle);
+                               return false;
+                             }));
+  std::set<Id> near;
+  for (Id i = 0; i < static_cast<Id>(soup.triangles.size()); ++i)
+  {
+    if (tree.ClosestOnTriangle(i, p).distance2 <= limit2)
+    {
+      near.insert(i);
+    }
+  }
+  EXPECT_EQ(visited, near);
+  EXPECT_GT(near.size(), 5u);
+  int calls = 0;
+  EXPECT_TRUE(tree.FindNear(p, limit2, [&](const TriangleTree::Closest&) { return ++calls == 2; }));
+  EXPECT_EQ(calls, 2);
+}

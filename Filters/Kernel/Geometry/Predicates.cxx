@@ -100,6 +100,53 @@ bool SegmentTouches(const Vec3& p, const Vec3& q, const Corners& t)
   return CGAL::do_intersect(Kernel::Segment_3(ToKernel(p), ToKernel(q)), ToKernel(t));
 }
 
+/// True if a plane through the common corner s[0] = t[0] parts the other corners of s from those of t, beyond
+/// doubt.
+bool ArePartedAtCorner(const Corners& s, const Corners& t)
+{
+  const Vec3 a = s[1] - s[0];
+  const Vec3 b = s[2] - s[0];
+  const Vec3 c = t[1] - t[0];
+  const Vec3 d = t[2] - t[0];
+  const auto sum = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  // Differences are exact to half a unit in the last place, products of them to a few: this is far above.
+  const double unsure = 1e-14 * (sum(a) + sum(b) + sum(c) + sum(d));
+  const auto parts = [&](const Vec3& normal)
+  {
+    const double least = unsure * sum(normal);
+    return Dot(a, normal) > least && Dot(b, normal) > least && Dot(c, normal) < -least &&
+           Dot(d, normal) < -least;
+  };
+  // The normal of the plane: from the middle of one cone to that of the other, or about so.
+  return parts((a + b) - (c + d)) ||
+         parts(Normalized(Normalized(a) + Normalized(b)) - Normalized(Normalized(c) + Normalized(d)));
+}
+
+/// The corners of s, those that t has too before the others; returns how many t has.
+std::size_t SharedFirst(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t,
+                        Corners& corners)
+{
+  std::size_t first = 0;
+  std::size_t last = 0;
+  Triangle others;
+  for (Id p : s)
+  {
+    if (p == t[0] || p == t[1] || p == t[2])
+    {
+      corners[first++] = points[static_cast<std::size_t>(p)];
+    }
+    else
+    {
+      others[last++] = p;
+    }
+  }
+  for (std::size_t i = 0; i < last; ++i)
+  {
+    corners[first + i] = points[static_cast<std::size_t>(others[i])];
+  }
+  return first;
+}
+
 } // namespace
 
 int Orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
@@ -142,21 +189,15 @@ bool SegmentTouchesTriangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
 bool TrianglesIntersect(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t)
 {
   // Shared corners first, the others behind them.
-  Triangle a = s;
-  Triangle b = t;
-  const auto middleA = std::stable_partition(
-    a.begin(), a.end(), [&](Id p) { return std::find(t.begin(), t.end(), p) != t.end(); });
-  std::stable_partition(b.begin(), b.end(),
-                        [&](Id p) { return std::find(s.begin(), s.end(), p) != s.end(); });
-  const auto shared = middleA - a.begin();
-  const auto cornersOf = [&](const Triangle& x)
-  {
-    return Corners{ { points[static_cast<std::size_t>(x[0])], points[static_cast<std::size_t>(x[1])],
-                      points[static_cast<std::size_t>(x[2])] } };
-  };
-  const Corners p = cornersOf(a);
-  const Corners q = cornersOf(b);
+  Corners p;
+  Corners q;
+  const std::size_t shared = SharedFirst(points, s, t, p);
+  SharedFirst(points, t, s, q);
   if (shared == 0 && AreApart(p, q))
+  {
+    return false;
+  }
+  if (shared == 1 && ArePartedAtCorner(p, q))
   {
     return false;
   }

@@ -215,6 +215,17 @@ void TriangleTree::Refit()
   }
 }
 
+TriangleTree::Closest TriangleTree::ClosestOnTriangle(Id triangle, const Vec3& p) const
+{
+  const Triangle& t = this->Triangles[static_cast<std::size_t>(triangle)];
+  Closest found;
+  found.triangle = triangle;
+  found.distance2 = PointTriangleDistance2(
+    p, this->Points[static_cast<std::size_t>(t[0])], this->Points[static_cast<std::size_t>(t[1])],
+    this->Points[static_cast<std::size_t>(t[2])], found.point, found.weights);
+  return found;
+}
+
 TriangleTree::Closest TriangleTree::ClosestPoint(const Vec3& p, double limit2) const
 {
   struct Step
@@ -241,12 +252,7 @@ TriangleTree::Closest TriangleTree::ClosestPoint(const Vec3& p, double limit2) c
     for (std::int64_t i = node.begin; i < node.end; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
-      const Triangle& t = this->Triangles[static_cast<std::size_t>(id)];
-      Closest found;
-      found.triangle = id;
-      found.distance2 = PointTriangleDistance2(
-        p, this->Points[static_cast<std::size_t>(t[0])], this->Points[static_cast<std::size_t>(t[1])],
-        this->Points[static_cast<std::size_t>(t[2])], found.point, found.weights);
+      const Closest found = this->ClosestOnTriangle(id, p);
       const bool tie = found.distance2 == best.distance2 && (best.triangle < 0 || id < best.triangle);
       if (found.distance2 < best.distance2 || tie)
       {

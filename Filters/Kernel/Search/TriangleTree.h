@@ -50,6 +50,13 @@ public:
   /// lower id.
   Closest ClosestPoint(const Vec3& p, double limit2 = std::numeric_limits<double>::infinity()) const;
 
+  /// Calls visit(place) for places of triangles within sqrt(limit2) of p, the nearest boxes first, until it
+  /// returns true; returns whether it did.
+  template<typename Visit>
+  bool FindNear(const Vec3& p, double limit2, Visit&& visit) const;
+  /// The closest point of one triangle.
+  Closest ClosestOnTriangle(Id triangle, const Vec3& p) const;
+
   struct Hit
   {
     Id triangle = -1;

@@ -136,6 +136,46 @@ TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& directi
 }
 
 template<typename Visit>
+bool TriangleTree::FindNear(const Vec3& p, double limit2, Visit&& visit) const
+{
+  std::array<std::int64_t, tree::StackSize> stack;
+  std::size_t top = 0;
+  const auto distance2 = [&](std::int64_t node)
+  { return this->Nodes[static_cast<std::size_t>(node)].box.Distance2(p); };
+  if (!this->Nodes.empty() && distance2(0) <= limit2)
+  {
+    stack[top++] = 0;
+  }
+  while (top > 0)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(stack[--top])];
+    for (std::int64_t i = node.begin; i < node.end; ++i)
+    {
+      const Closest found = this->ClosestOnTriangle(this->Order[static_cast<std::size_t>(i)], p);
+      if (found.distance2 <= limit2 && visit(found))
+      {
+        return true;
+      }
+    }
+    if (node.left >= 0)
+    {
+      const double left = distance2(node.left);
+      const double right = distance2(node.right);
+      const bool leftFirst = left <= right;
+      if (std::max(left, right) <= limit2)
+      {
+        stack[top++] = leftFirst ? node.right : node.left;
+      }
+      if (std::min(left, right) <= limit2)
+      {
+        stack[top++] = leftFirst ? node.left : node.right;
+      }
+    }
+  }
+  return false;
+}
+
+template<typename Visit>
 void TriangleTree::ForOverlaps(const Box& box, Visit&& visit) const
 {
   std::array<std::int64_t, tree::StackSize> stack;

@@ -3,10 +3,9 @@
 #include "EditableSurface.h"
 
 #include "../Geometry/Predicates.h"
-#include "../Geometry/Quality.h"
-#include "../Geometry/VisibleDirection.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -14,28 +13,30 @@ namespace lamina
 namespace
 {
 
-constexpr double leastTurnCosine = 0.5;  ///< between the normal of a triangle and that of the one it replaces
-constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
+constexpr double leastTurnCosine = 0.5; ///< between the normal of a triangle and that of the one it replaces
 
 } // namespace
 
-bool EditableSurface::IsSound(const Edit& edit) const
+bool EditableSurface::IsSound(Edit& edit) const
 {
   bool allVisible = true;
   return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit, allVisible) && this->IsNearInput(edit) &&
-         this->IsClearOfOthers(edit) && (allVisible || this->IsClearOfItself(edit));
+         this->KeepsInputNear(edit) && this->IsClearOfOthers(edit) &&
+         (allVisible || this->IsClearOfItself(edit));
 }
 
-bool EditableSurface::HasGoodShapes(const Edit& edit) const
+bool EditableSurface::HasGoodShapes(Edit& edit) const
 {
-  for (const Added& t : edit.added)
+  this->Boxes.clear();
+  for (Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
-    const Vec3 area = Cross(b - a, c - a);
-    if ((!this->Mending && Dot(area, t.normal) < leastTurnCosine * Norm(area)) ||
-        !(TriangleQuality(a, b, c) >= edit.leastQuality))
+    t.normal = Normalized(Cross(b - a, c - a));
+    this->Boxes.push_back(this->BoxOf(t.corners));
+    if ((!this->Mending && Dot(t.normal, t.before) < leastTurnCosine) ||
+        !(this->Quality(t.corners) >= edit.leastQuality))
     {
       return false;
     }
@@ -43,53 +44,96 @@ bool EditableSurface::HasGoodShapes(const Edit& edit) const
   return !edit.added.empty();
 }
 
-/// Middles and edges of the new triangles lie near the input. Around a common corner each spoke is the first
-/// edge of one triangle, and the edges opposite to it are old.
-bool EditableSurface::IsNearInput(const Edit& edit) const
+/// The new triangles lie near the input: looked at in the middle, half-way from there to the corners, and at
+/// three places of each edge. Around a common corner the edges opposite to it are old.
+bool EditableSurface::IsNearInput(Edit& edit) const
 {
-  const double least = this->Mending ? 0.5 * this->Input.MeanEdge() : 0;
-  for (const Added& t : edit.added)
+  for (Added& t : edit.added)
   {
-    const Vec3& a = this->Point(t.corners[0]);
-    const Vec3& b = this->Point(t.corners[1]);
-    const Vec3& c = this->Point(t.corners[2]);
-    if (!this->Input.IsNear(t.sheet, (1.0 / 3) * (a + b + c), least))
+    const Vec3 corners[3] = { this->Point(t.corners[0]), this->Point(t.corners[1]),
+                              this->Point(t.corners[2]) };
+    const Vec3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
+    if (!this->Input.IsNear(t.sheet, middle, t.hint))
     {
       return false;
     }
+    Id hint = t.hint;
+    const auto isNear = [&](const Vec3& place) { return this->Input.IsNear(t.sheet, place, hint); };
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const bool test = edit.centre < 0 || t.corners[k] == edit.centre;
-      if (test && !this->Input.IsNear(
-                    t.sheet, 0.5 * (this->Point(t.corners[k]) + this->Point(t.corners[(k + 1) % 3])), least))
+      const Vec3& from = corners[k];
+      const Vec3& to = corners[(k + 1) % 3];
+      const bool isNew = edit.centre < 0 || t.corners[k] == edit.centre;
+      if (!isNear(0.5 * (middle + from)) ||
+          (isNew && !(isNear(0.5 * (from + to)) && isNear(0.75 * from + 0.25 * to) &&
+                      isNear(0.25 * from + 0.75 * to))))
       {
         return false;
       }
     }
   }
+  if (edit.centre >= 0)
+  {
+    Id hint = edit.added[0].hint;
+    return this->Input.IsNear(edit.added[0].sheet, this->Point(edit.centre), hint);
+  }
   return true;
+}
+
+double EditableSurface::PlaceSamples(Edit& edit) const
+{
+  double worst = 0;
+  for (Id t : edit.removed)
+  {
+    for (int sample = this->Samples.First(t); sample >= 0; sample = this->Samples.Next(sample))
+    {
+      const Vec3& place = this->Samples.Place(sample);
+      SampleOwner owner{ sample, -1 };
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < edit.added.size(); ++i)
+      {
+        const Added& added = edit.added[i];
+        Vec3 closest;
+        std::array<double, 3> weights;
+        if (added.sheet != this->Sheets[static_cast<std::size_t>(t)] ||
+            this->Boxes[i].Distance2(place) >= nearest)
+        {
+          continue;
+        }
+        const double d2 =
+          PointTriangleDistance2(place, this->Point(added.corners[0]), this->Point(added.corners[1]),
+                                 this->Point(added.corners[2]), closest, weights);
+        if (d2 < nearest)
+        {
+          nearest = d2;
+          owner.added = static_cast<int>(i);
+        }
+      }
+      const double tolerance = this->Samples.Tolerance(sample);
+      worst = std::max(worst, nearest / (tolerance * tolerance));
+      edit.owners.push_back(owner);
+    }
+  }
+  return worst;
+}
+
+/// The points of the input that lie on what is removed lie near what is added.
+bool EditableSurface::KeepsInputNear(Edit& edit) const
+{
+  edit.owners.clear();
+  return this->PlaceSamples(edit) <= 1;
 }
 
 /// No new triangle meets any other but in shared corners and edges.
 bool EditableSurface::IsClearOfOthers(const Edit& edit) const
 {
-  for (const Added& t : edit.added)
-  {
-    const Box box = this->BoxOf(t.corners);
-    const bool clear =
-      this->Grid.ForNear(box,
-                         [&](Id other)
-                         {
-                           return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
-                                  !box.Overlaps(this->BoxOf(this->Corners(other))) ||
-                                  !TrianglesIntersect(this->Points, t.corners, this->Corners(other));
-                         });
-    if (!clear)
-    {
-      return false;
-    }
-  }
-  return true;
+  return this->Grid.ForNear(this->Boxes,
+                            [&](std::size_t i, Id other)
+                            {
+                              return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
+                                     !TrianglesIntersect(this->Points, edit.added[i].corners,
+                                                         this->Corners(other));
+                            });
 }
 
 /// The new triangles do not meet one another either. Where a direction sees all faces of every node they
@@ -107,182 +151,6 @@ bool EditableSurface::IsClearOfItself(const Edit& edit) const
     }
   }
   return true;
-}
-
-/// The least, over the materials at p, of how well the best direction into the material sees its faces there.
-/// With an edit: as it would be after it.
-double EditableSurface::Visibility(Id p, const Edit* edit) const
-{
-  struct Face
-  {
-    Vec3 normal;
-    MaterialPair pair;
-  };
-  std::vector<Face> faces;
-  const auto add = [&](const Triangle& corners, int sheet)
-  {
-    faces.push_back(
-      { Normalized(AreaVector2(this->Points, corners)),
-        this->Input.Surface()
-          .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
-  };
-  for (Id t : this->Star(p))
-  {
-    if (edit == nullptr || !std::binary_search(edit->removed.begin(), edit->removed.end(), t))
-    {
-      add(this->Corners(t), this->Sheets[static_cast<std::size_t>(t)]);
-    }
-  }
-  if (edit != nullptr)
-  {
-    for (const Added& t : edit->added)
-    {
-      if (t.corners[0] == p || t.corners[1] == p || t.corners[2] == p)
-      {
-        add(t.corners, t.sheet);
-      }
-    }
-  }
-  // A point of a sheet has one pair: its cone is the same seen from both sides.
-  double least = 1;
-  std::vector<int> done;
-  std::vector<Vec3> normals;
-  for (const Face& face : faces)
-  {
-    for (int material : { face.pair.first, face.pair.second })
-    {
-      if (std::find(done.begin(), done.end(), material) != done.end() || material == 0)
-      {
-        continue;
-      }
-      done.push_back(material);
-      normals.clear();
-      Vec3 sum;
-      for (const Face& other : faces)
-      {
-        const int side = SideOf(other.pair, material);
-        if (side != 0)
-        {
-          normals.push_back(side * other.normal);
-          sum += normals.back();
-        }
-      }
-      const Vec3 mean = Normalized(sum);
-      double seen = 1;
-      for (const Vec3& n : normals)
-      {
-        seen = std::min(seen, Dot(mean, n));
-      }
-      least = std::min(least, seen >= leastVisibility ? seen : FindVisibleDirection(normals).leastCosine);
-    }
-    if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
-    {
-      break;
-    }
-  }
-  return least;
-}
-
-bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
-{
-  std::vector<Id> nodes;
-  for (const Added& t : edit.added)
-  {
-    nodes.insert(nodes.end(), t.corners.begin(), t.corners.end());
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  for (Id p : nodes)
-  {
-    // A node that was hidden before may stay so, but no edit may hide it more. (Coordinates are already new:
-    // the old value is only approximate for a moved point, which errs on the strict side.)
-    const double after = this->Visibility(p, &edit);
-    allVisible = allVisible && after >= leastVisibility;
-    if (this->Mending)
-    {
-      if (after < this->MendedSight)
-      {
-        return false;
-      }
-      continue;
-    }
-    if (after < leastVisibility && after < this->Visibility(p, nullptr))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool EditableSurface::Uncover(Id p, double goal)
-{
-  const double before = this->Star(p).empty() ? 1 : this->Visibility(p);
-  if (before >= goal)
-  {
-    return false;
-  }
-  this->Mending = true;
-  this->MendedSight = std::min(goal, before + 0.02);
-  const bool done = this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p);
-  this->Mending = false;
-  return done;
-}
-
-bool EditableSurface::UncoverByMove(Id p)
-{
-  if (this->Classes[static_cast<std::size_t>(p)] != OnSheet)
-  {
-    return false;
-  }
-  Vec3 mean;
-  double worst = 1;
-  for (Id t : this->Star(p))
-  {
-    worst = std::min(worst, this->Quality(t));
-    for (Id q : this->Corners(t))
-    {
-      mean += q == p ? Vec3{} : this->Point(q);
-    }
-  }
-  mean *= 0.5 / static_cast<double>(this->Star(p).size());
-  for (double step : { 0.5, 1.0, 0.25 })
-  {
-    if (this->TryMove(p, this->Point(p) + step * (mean - this->Point(p)), std::min(0.3, worst)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool EditableSurface::UncoverByMerge(Id p)
-{
-  std::vector<Id> ring;
-  for (Id t : this->Star(p))
-  {
-    const Triangle& c = this->Corners(t);
-    ring.insert(ring.end(), c.begin(), c.end());
-  }
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return q != p && this->Merge(p, q, true); });
-}
-
-bool EditableSurface::UncoverBySwap(Id p)
-{
-  const std::vector<Id> star = this->Star(p);
-  for (Id t : star)
-  {
-    const Triangle c = this->Corners(t);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if (this->Swap(c[k], c[(k + 1) % 3]))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 } // namespace lamina

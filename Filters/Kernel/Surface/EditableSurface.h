@@ -3,12 +3,16 @@
 // the complex, and is refused where it would fold, intersect, hide a node or leave the input surface.
 #pragma once
 
+#include "../Base/ShortList.h"
 #include "../Mesh/VolumeCorrection.h"
-#include "InputSurface.h"
+#include "InputSamples.h"
 #include "TriangleGrid.h"
 
 namespace lamina
 {
+
+/// The triangles at an edge: two, or as many as sheets meet there.
+using EdgeTriangles = ShortList<Id, 6>;
 
 class EditableSurface
 {
@@ -24,15 +28,27 @@ public:
   Id TriangleCount() const { return static_cast<Id>(this->Triangles.size()); }
   const Triangle& Corners(Id triangle) const { return this->Triangles[static_cast<std::size_t>(triangle)]; }
   const std::vector<Id>& Star(Id p) const { return this->Stars[static_cast<std::size_t>(p)]; }
-  double Length(Id a, Id b) const { return Norm(this->Point(a) - this->Point(b)); }
+  /// The length of an edge, in the metric of the stretches.
+  double Length(Id a, Id b) const
+  {
+    const Vec3 edge = this->Point(a) - this->Point(b);
+    return this->Stretches.empty()
+             ? Norm(edge)
+             : std::sqrt(StretchedLength2(edge, this->Stretches[static_cast<std::size_t>(a)],
+                                          this->Stretches[static_cast<std::size_t>(b)]));
+  }
   /// Length over the stricter target of the two ends.
   double RelativeLength(Id a, Id b) const
   {
     return this->Length(a, b) / std::min(this->Target(a), this->Target(b));
   }
-  double Quality(Id triangle) const;
+  /// 2 r/R in the metric of the stretches.
+  double Quality(Id triangle) const { return this->Quality(this->Corners(triangle)); }
   /// The triangles at edge (a, b).
-  std::vector<Id> TrianglesAt(Id a, Id b) const;
+  EdgeTriangles TrianglesAt(Id a, Id b) const;
+  /// A count of the changes so far, and its value when a triangle last changed or one of its points moved.
+  Id Clock() const { return this->Changes; }
+  Id ChangedAt(Id triangle) const { return this->Changed[static_cast<std::size_t>(triangle)]; }
 
   // Edits; each returns whether it was done.
   /// Bisect the edge at its middle; always safe. Returns the new point.
@@ -46,13 +62,15 @@ public:
   bool Relax(Id p);
 
   /// Where no direction sees all faces of p well (cosine below `goal`), move, merge or swap so that one does.
-  /// Here faces may turn and the surface may leave the input by up to half a mean edge.
+  /// Here faces may turn.
   bool Uncover(Id p, double goal);
   /// How well the best direction into the worst material at p sees the faces there: a cosine.
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
 
   /// The result: points and triangles compacted, fields interpolated from the input.
-  void Write(TriangleComplex& surface) const;
+  void Write(TriangleComplex& surface, Monitor& monitor) const;
+  /// The stretches of the points as Write() puts them out, or none.
+  std::vector<Stretch> WrittenStretches() const;
   /// The sheets of the triangles as Write() puts them out, with the shells of the input.
   SheetGraph WrittenSheets() const;
 
@@ -64,60 +82,88 @@ private:
     AtCorner,
     Removed
   };
-  /// A triangle that an edit puts in; `normal` is that of what it replaces.
+  /// A triangle that an edit puts in.
   struct Added
   {
     Triangle corners;
     int sheet;
-    Vec3 normal;
+    Vec3 before; ///< unit normal of what it replaces
+    Id hint;     ///< a triangle of the input near it, or -1
+    Vec3 normal; ///< its own unit normal
   };
   struct Edit
   {
     std::vector<Id> removed; ///< ascending
     std::vector<Added> added;
-    double leastQuality = 0; ///< no added triangle may be worse
-    Id centre = -1;          ///< the corner that all added triangles share, if there is one
+    double leastQuality = 0;         ///< no added triangle may be worse
+    Id centre = -1;                  ///< the corner that all added triangles share, if there is one
+    std::vector<SampleOwner> owners; ///< of the input's samples on the removed triangles
   };
 
-  bool IsFeature(const std::vector<Id>& triangles) const;
-  bool LinkAllows(Id gone, Id kept, const std::vector<Id>& shared) const;
-  Vec3 MergedPlace(Id gone, Id kept, const std::vector<Id>& shared) const;
-  bool MergeInto(Id gone, Id kept, const std::vector<Id>& shared, const Vec3& place, bool anyLength);
-  Edit RemovalOf(std::vector<Id> triangles) const;
+  double Quality(const Triangle& corners) const;
+  bool IsFeature(const EdgeTriangles& triangles) const;
+  bool LinkAllows(Id gone, Id kept, const EdgeTriangles& shared) const;
+  Vec3 MergedPlace(Id gone, Id kept, const EdgeTriangles& shared) const;
+  bool MergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place, bool anyLength);
+  /// An edit that removes the stars of p and (if not negative) q.
+  Edit& RemovalOfStars(Id p, Id q = -1);
+  Edit& RemovalOf(const EdgeTriangles& triangles);
+  void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
+  bool HasChanged(Id p) const;
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
 
+  void WriteFields(TriangleComplex& surface, const std::vector<int>& sheetOfPoint, Monitor& monitor) const;
   bool UncoverByMove(Id p);
   bool UncoverByMerge(Id p);
   bool UncoverBySwap(Id p);
+  bool UncoverBySearch(Id p);
+  std::vector<Id> RingOf(Id p) const;
 
   // Is the edit sound, with the coordinates that points have now?
-  bool IsSound(const Edit& edit) const;
-  bool HasGoodShapes(const Edit& edit) const;
-  bool IsNearInput(const Edit& edit) const;
+  bool IsSound(Edit& edit) const;
+  bool HasGoodShapes(Edit& edit) const;
+  bool IsNearInput(Edit& edit) const;
+  bool KeepsInputNear(Edit& edit) const;
+  /// Fill the owners; the largest distance over tolerance of a sample, squared.
+  double PlaceSamples(Edit& edit) const;
   bool IsClearOfOthers(const Edit& edit) const;
   bool IsClearOfItself(const Edit& edit) const;
   bool KeepsNodesVisible(const Edit& edit, bool& allVisible) const;
   double Visibility(Id p, const Edit* edit) const;
+  double SightAfter(Id p, const Edit& edit) const;
 
   Box BoxOf(const Triangle& t) const;
-  void Commit(const Edit& edit);
-  void Insert(Id id, const Triangle& corners, int sheet);
+  /// Put the added triangles in and the removed ones out; `moved`, if not negative, comes to lie at `place`.
+  void Commit(const Edit& edit, Id moved = -1, const Vec3& place = {});
+  void Insert(Id id, const Triangle& corners, int sheet, const Vec3& normal, Id hint);
   void Remove(Id id);
+  Id AddTriangle();
 
   const InputSurface& Input;
   double MergeRatio;
   double SplitRatio;
   std::vector<Vec3> Points;
   std::vector<double> Targets;
+  std::vector<Stretch> Stretches; ///< one a point, or none
   std::vector<Class> Classes;
   std::vector<std::vector<Id>> Stars;
   std::vector<Triangle> Triangles;
-  std::vector<int> Sheets;     ///< sheet of a triangle, in the input's SheetGraph
-  std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
+  std::vector<int> Sheets;   ///< sheet of a triangle, in the input's SheetGraph
+  std::vector<Vec3> Normals; ///< unit normal of a triangle
+  std::vector<Id> Hints;     ///< a triangle of the input near a triangle, or -1
+  std::vector<Id> Changed;   ///< the clock when a triangle last changed
+  std::vector<Id> Relaxed;   ///< the clock when a point was last tried to relax in vain
+  InputSamples Samples;      ///< points of the input on the triangles nearest to them
+  Id Changes = 0;
+  mutable std::vector<Box> Boxes; ///< of what an edit adds, kept for its memory
+  std::vector<Id> NewIds;         ///< of the triangles that an edit adds
+  Edit Work;                      ///< the edit in hand, kept for its memory
+  std::vector<Id> PairOfSheet;    ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
   bool Mending = false;   ///< within Uncover
-  double MendedSight = 0; ///< which every node must have after an edit within Uncover
+  Id Mended = -1;         ///< the point that is being uncovered
+  double MendedSight = 0; ///< which it must have after an edit
 };
 
 } // namespace lamina

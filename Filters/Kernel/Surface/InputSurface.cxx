@@ -7,12 +7,41 @@
 namespace lamina
 {
 
-InputSurface::InputSurface(const TriangleComplex& surface, double tolerance)
+namespace
+{
+
+/// What edits may use of the tolerance: the rest is for what lies between the places that are looked at.
+constexpr double reserve = 0.8;
+
+double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
+{
+  const double size = surface.featureSize.empty() ? 0 : surface.featureSize[point];
+  return std::min(size > 0 ? 0.1 * size : 0.2 * surface.targetEdgeLength[point], 0.5 * mean);
+}
+
+} // namespace
+
+InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy,
+                           Monitor& monitor)
   : Complex(surface)
   , Graph(MakeSheetGraph(Complex))
   , Mean(MeanEdgeLength(Complex))
-  , Tolerance(tolerance)
+  , Widest(0)
 {
+  if (this->Complex.junctionKind.size() != this->Complex.points.size())
+  {
+    ClassifyJunctions(this->Complex);
+  }
+  for (std::size_t p = 0; p < this->Complex.points.size(); ++p)
+  {
+    this->Tolerances.push_back(reserve *
+                               (tolerance > 0 ? tolerance : DefaultTolerance(this->Complex, p, this->Mean)));
+    this->Widest = std::max(this->Widest, this->Tolerances.back());
+  }
+  if (anisotropy > 1)
+  {
+    this->PointStretches = FindStretches(this->Complex, anisotropy, monitor);
+  }
   std::vector<std::vector<Id>> members(this->Graph.shellsOfSheet.size());
   for (std::size_t t = 0; t < this->Complex.triangles.size(); ++t)
   {
@@ -30,22 +59,37 @@ TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, dou
   return this->Trees[static_cast<std::size_t>(sheet)]->ClosestPoint(p, limit * limit);
 }
 
-bool InputSurface::IsNear(int sheet, const Vec3& p, double least) const
+bool InputSurface::IsWithin(const TriangleTree::Closest& place) const
 {
-  const double widest = std::max(least, this->Tolerance > 0 ? this->Tolerance : 0.5 * this->Mean);
-  const TriangleTree::Closest place = this->ClosestOnSheet(sheet, p, widest);
-  if (place.triangle < 0)
-  {
-    return false;
-  }
-  if (this->Tolerance > 0 || this->Complex.featureSize.empty())
+  const Triangle& t = this->Complex.triangles[static_cast<std::size_t>(place.triangle)];
+  const double tolerance = place.weights[0] * this->Tolerance(t[0]) +
+                           place.weights[1] * this->Tolerance(t[1]) +
+                           place.weights[2] * this->Tolerance(t[2]);
+  return place.distance2 <= tolerance * tolerance;
+}
+
+bool InputSurface::IsNear(int sheet, const Vec3& p, Id& hint) const
+{
+  const TriangleTree& tree = *this->Trees[static_cast<std::size_t>(sheet)];
+  if (hint >= 0 && this->IsWithin(tree.ClosestOnTriangle(hint, p)))
   {
     return true;
   }
-  // A tenth of a mean edge is always allowed, else nothing could ever move in the narrowest places.
-  const double local =
-    std::max({ least, 0.1 * this->Interpolate(this->Complex.featureSize, place), 0.1 * this->Mean });
-  return place.distance2 <= local * local;
+  return tree.FindNear(p, this->Widest * this->Widest,
+                       [&](const TriangleTree::Closest& place)
+                       {
+                         const bool within = this->IsWithin(place);
+                         hint = within ? place.triangle : hint;
+                         return within;
+                       });
+}
+
+Vec3 InputSurface::InterpolateAxis(const std::vector<Vec3>& field, const TriangleTree::Closest& place) const
+{
+  const Triangle& t = this->Complex.triangles[static_cast<std::size_t>(place.triangle)];
+  const auto weighted = [&](std::size_t k)
+  { return 3 * place.weights[k] * field[static_cast<std::size_t>(t[k])]; };
+  return MeanStretch(weighted(0), weighted(1), weighted(2));
 }
 
 double InputSurface::Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,

@@ -5,6 +5,7 @@
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/VolumeCorrection.h"
 #include "../Search/TriangleTree.h"
+#include "StretchField.h"
 
 #include <memory>
 
@@ -14,31 +15,48 @@ namespace lamina
 class InputSurface
 {
 public:
-  /// `tolerance`: largest distance of edits, a length; 0: a tenth of the local feature size, at most half a
-  /// mean edge.
-  InputSurface(const TriangleComplex& surface, double tolerance);
+  /// `tolerance`: largest distance of edits, a length; 0: the smaller of a tenth of the local feature size (a
+  /// fifth of the target where there is no feature size) and half a mean edge, which is less than half a
+  /// voxel.
+  /// `anisotropy`: how much longer edges may be along the least curvature.
+  InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy, Monitor& monitor);
 
   const TriangleComplex& Surface() const { return this->Complex; }
   const SheetGraph& Sheets() const { return this->Graph; }
   double MeanEdge() const { return this->Mean; }
   /// The closest point of a sheet within `limit`; triangle -1 if there is none.
   TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
-  /// True if p lies within the tolerance of the sheet, or within `least` if that is more.
-  bool IsNear(int sheet, const Vec3& p, double least = 0) const;
+  /// True if p lies within the tolerance of the sheet. `hint`: a triangle to look at first, or -1; becomes
+  /// the one that was found.
+  bool IsNear(int sheet, const Vec3& p, Id& hint) const;
+  /// The tolerance at a point of the input.
+  double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
   double TargetAt(const TriangleTree::Closest& place) const
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);
   }
+  /// A field of axes, which point either way, at a place.
+  Vec3 InterpolateAxis(const std::vector<Vec3>& field, const TriangleTree::Closest& place) const;
+  Stretch StretchAt(const TriangleTree::Closest& place) const
+  {
+    return this->InterpolateAxis(this->PointStretches, place);
+  }
+  /// One a point, or none if all edges are to be alike.
+  const std::vector<Stretch>& Stretches() const { return this->PointStretches; }
   /// A point field at a place; NaN corners are left out.
   double Interpolate(const std::vector<double>& field, const TriangleTree::Closest& place,
                      std::size_t stride = 1, std::size_t component = 0) const;
   int TriangleSheet(Id t) const { return this->Graph.sheetOfTriangle[static_cast<std::size_t>(t)]; }
 
 private:
+  bool IsWithin(const TriangleTree::Closest& place) const;
+
   TriangleComplex Complex;
   SheetGraph Graph;
   double Mean;
-  double Tolerance;
+  double Widest; ///< the largest tolerance
+  std::vector<double> Tolerances;
+  std::vector<Stretch> PointStretches;
   std::vector<std::unique_ptr<TriangleTree>> Trees; ///< one a sheet
 };
 

@@ -2,27 +2,31 @@
 // A hash grid over triangles that come and go while a surface is edited.
 #pragma once
 
+#include "../Base/ShortList.h"
 #include "../Search/TriangleTree.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <unordered_map>
 
 namespace lamina
 {
 
+/// Each cell holds the triangles whose boxes touch it, with their boxes: what a query reads lies together.
 class TriangleGrid
 {
 public:
   explicit TriangleGrid(double cell)
     : Inverse(1 / cell)
+    , Table(1024)
   {
   }
   void Insert(Id triangle, const Box& box)
   {
+    const Entry entry{ static_cast<int>(triangle), Shrink(box) };
     this->ForCells(box,
                    [&](std::uint64_t key)
                    {
-                     this->Cells[key].push_back(static_cast<int>(triangle));
+                     this->Cells[this->Make(key)].push_back(entry);
                      return true;
                    });
   }
@@ -31,43 +35,115 @@ public:
     this->ForCells(box,
                    [&](std::uint64_t key)
                    {
-                     std::vector<int>& cell = this->Cells[key];
-                     for (std::size_t i = 0; i < cell.size(); ++i)
-                     {
-                       if (cell[i] == static_cast<int>(triangle))
-                       {
-                         cell[i] = cell.back();
-                         cell.pop_back();
-                         break;
-                       }
-                     }
+                     Cell& cell = this->Cells[this->Make(key)];
+                     const auto found = std::find_if(cell.begin(), cell.end(),
+                                                     [&](const Entry& e) { return e.triangle == triangle; });
+                     *found = cell.back();
+                     cell.pop_back();
                      return true;
                    });
   }
-  /// Calls visit(id) for the triangles of all cells that touch the box (some more than once); visit returns
-  /// false to stop. Returns false if it was stopped.
+  /// Calls visit(item, id) for the triangles whose boxes overlap that of an item of `boxes`, rounded (some
+  /// more than once); visit returns false to stop. Returns false if it was stopped.
   template<typename Visit>
-  bool ForNear(const Box& box, Visit&& visit) const
+  bool ForNear(const std::vector<Box>& boxes, Visit&& visit) const
   {
-    return this->ForCells(box,
+    Box all;
+    ShortList<Bounds, 16> bounds;
+    for (const Box& box : boxes)
+    {
+      all.Add(box);
+      bounds.push_back(Shrink(box));
+    }
+    const Bounds whole = Shrink(all);
+    const auto look = [&](const Entry& e)
+    {
+      for (std::size_t i = 0; Overlap(e.bounds, whole) && i < boxes.size(); ++i)
+      {
+        if (Overlap(e.bounds, bounds[i]) && !visit(i, static_cast<Id>(e.triangle)))
+        {
+          return false;
+        }
+      }
+      return true;
+    };
+    return this->ForCells(all,
                           [&](std::uint64_t key)
                           {
-                            const auto found = this->Cells.find(key);
-                            if (found != this->Cells.end())
-                            {
-                              for (int id : found->second)
-                              {
-                                if (!visit(static_cast<Id>(id)))
-                                {
-                                  return false;
-                                }
-                              }
-                            }
-                            return true;
+                            const int cell = this->Table[this->Find(key)].cell;
+                            return cell < 0 || std::all_of(this->Cells[Index(cell)].begin(),
+                                                           this->Cells[Index(cell)].end(), look);
                           });
   }
 
 private:
+  struct Bounds
+  {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+  };
+  struct Entry
+  {
+    int triangle;
+    Bounds bounds;
+  };
+  using Cell = std::vector<Entry>;
+  struct Slot
+  {
+    std::uint64_t key = 0;
+    int cell = -1;
+  };
+
+  static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
+  /// To nearest: order is kept, so boxes that overlap still do.
+  static Bounds Shrink(const Box& box)
+  {
+    return {
+      { { static_cast<float>(box.low.x), static_cast<float>(box.low.y), static_cast<float>(box.low.z) } },
+      { { static_cast<float>(box.high.x), static_cast<float>(box.high.y), static_cast<float>(box.high.z) } }
+    };
+  }
+  static bool Overlap(const Bounds& a, const Bounds& b)
+  {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1] &&
+           a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+  }
+  /// The slot of a key, or the empty one where it would go.
+  std::size_t Find(std::uint64_t key) const
+  {
+    const std::size_t mask = this->Table.size() - 1;
+    std::uint64_t mixed = key * 0x9e3779b97f4a7c15u;
+    mixed ^= mixed >> 32;
+    std::size_t slot = static_cast<std::size_t>(mixed) & mask;
+    while (this->Table[slot].cell >= 0 && this->Table[slot].key != key)
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  }
+  std::size_t Make(std::uint64_t key)
+  {
+    std::size_t slot = this->Find(key);
+    if (this->Table[slot].cell < 0)
+    {
+      if (2 * this->Cells.size() >= this->Table.size())
+      {
+        std::vector<Slot> old(2 * this->Table.size());
+        old.swap(this->Table);
+        for (const Slot& s : old)
+        {
+          if (s.cell >= 0)
+          {
+            this->Table[this->Find(s.key)] = s;
+          }
+        }
+        slot = this->Find(key);
+      }
+      this->Table[slot] = { key, static_cast<int>(this->Cells.size()) };
+      this->Cells.emplace_back();
+    }
+    return Index(this->Table[slot].cell);
+  }
   std::int64_t At(double x) const { return static_cast<std::int64_t>(std::floor(x * this->Inverse)); }
   template<typename Do>
   bool ForCells(const Box& box, Do&& act) const
@@ -98,7 +174,8 @@ private:
   }
 
   double Inverse;
-  std::unordered_map<std::uint64_t, std::vector<int>> Cells;
+  std::vector<Slot> Table; ///< open addressing; its size is a power of two
+  std::vector<Cell> Cells;
 };
 
 } // namespace lamina

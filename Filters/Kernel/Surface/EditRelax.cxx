@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Moving a point along the surface.
+#include "EditCorners.h"
+#include "EditableSurface.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+bool EditableSurface::CurveNeighbours(Id p, Id& before, Id& after) const
+{
+  before = after = -1;
+  for (Id t : this->Star(p))
+  {
+    for (Id q : Others(this->Corners(t), p))
+    {
+      if (q != before && q != after && this->IsFeature(this->TrianglesAt(p, q)))
+      {
+        (before < 0 ? before : after) = q;
+      }
+    }
+  }
+  return after >= 0;
+}
+
+bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
+{
+  Edit& edit = this->RemovalOfStars(p);
+  for (Id t : edit.removed)
+  {
+    this->Add(edit, this->Corners(t), t);
+  }
+  edit.leastQuality = leastQuality;
+  edit.centre = p;
+  const Vec3 before = this->Point(p);
+  this->Points[U(p)] = place;
+  const bool sound = this->IsSound(edit);
+  this->Points[U(p)] = before;
+  if (sound)
+  {
+    this->Commit(edit, p, place);
+  }
+  return sound;
+}
+
+namespace
+{
+
+constexpr double leastMove = 0.05; ///< in targets: less is not worth its checks
+
+} // namespace
+
+/// Whether anything around p is not as it was when p was last tried in vain.
+bool EditableSurface::HasChanged(Id p) const
+{
+  return std::any_of(this->Star(p).begin(), this->Star(p).end(),
+                     [&](Id t) { return this->Changed[U(t)] > this->Relaxed[U(p)]; });
+}
+
+bool EditableSurface::Relax(Id p)
+{
+  if (this->Classes[U(p)] >= AtCorner || this->Star(p).empty() || !this->HasChanged(p))
+  {
+    return false;
+  }
+  this->Relaxed[U(p)] = this->Changes;
+  const Vec3& x = this->Point(p);
+  double worst = 1;
+  Vec3 move;
+  if (this->Classes[U(p)] == OnCurve)
+  {
+    Id before;
+    Id after;
+    if (!this->CurveNeighbours(p, before, after))
+    {
+      return false;
+    }
+    const Vec3 along = Normalized(this->Point(after) - this->Point(before));
+    move = Dot(0.5 * (this->Point(after) + this->Point(before)) - x, along) * along;
+  }
+  else
+  {
+    Vec3 gradient;
+    double weights = 0;
+    for (Id t : this->Star(p))
+    {
+      const Triangle& c = this->Corners(t);
+      const Vec3 area = AreaVector2(this->Points, c);
+      const double h = this->Target(c[0]) + this->Target(c[1]) + this->Target(c[2]);
+      const double weight = Norm(area) / (h * h);
+      gradient += area;
+      move += weight * ((1.0 / 3) * (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) - x);
+      weights += weight;
+    }
+    if (weights == 0 || Norm2(gradient) == 0)
+    {
+      return false;
+    }
+    move *= 1 / weights;
+    move -= (Dot(move, gradient) / Norm2(gradient)) * gradient;
+  }
+  for (Id t : this->Star(p))
+  {
+    worst = std::min(worst, this->Quality(t));
+  }
+  if (Norm(move) < leastMove * this->Target(p))
+  {
+    return false;
+  }
+  for (double step : { 1.0, 0.4 })
+  {
+    if (this->TryMove(p, x + step * move, std::min(worst, 0.5)))
+    {
+      const int sheet = this->Sheets[U(this->Star(p)[0])];
+      const auto place = this->Input.ClosestOnSheet(sheet, this->Point(p), this->Input.MeanEdge());
+      if (place.triangle >= 0)
+      {
+        this->Targets[U(p)] = this->Input.TargetAt(place);
+        if (!this->Stretches.empty())
+        {
+          this->Stretches[U(p)] = this->Input.StretchAt(place);
+        }
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace lamina

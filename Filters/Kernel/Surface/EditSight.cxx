@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well the nodes of an edited surface see their faces, and edits that uncover hidden ones.
+#include "../Geometry/VisibleDirection.h"
+#include "EditCorners.h"
+#include "EditableSurface.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double rounding = 1e-12;
+constexpr double leastVisibilityMending = 0.42; ///< the same while a node is uncovered that sees less
+constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
+
+} // namespace
+
+/// The least, over the materials at p, of how well the best direction into the material sees its faces there.
+/// With an edit: as it would be after it.
+double EditableSurface::Visibility(Id p, const Edit* edit) const
+{
+  struct Face
+  {
+    Vec3 normal;
+    MaterialPair pair;
+  };
+  std::vector<Face> faces;
+  const auto add = [&](const Vec3& normal, int sheet)
+  {
+    faces.push_back(
+      { normal, this->Input.Surface()
+                  .materials[static_cast<std::size_t>(this->PairOfSheet[static_cast<std::size_t>(sheet)])] });
+  };
+  for (Id t : this->Star(p))
+  {
+    if (edit == nullptr || !std::binary_search(edit->removed.begin(), edit->removed.end(), t))
+    {
+      add(this->Normals[static_cast<std::size_t>(t)], this->Sheets[static_cast<std::size_t>(t)]);
+    }
+  }
+  if (edit != nullptr)
+  {
+    for (const Added& t : edit->added)
+    {
+      if (t.corners[0] == p || t.corners[1] == p || t.corners[2] == p)
+      {
+        add(t.normal, t.sheet);
+      }
+    }
+  }
+  // A point of a sheet has one pair: its cone is the same seen from both sides.
+  double least = 1;
+  std::vector<int> done;
+  std::vector<Vec3> normals;
+  for (const Face& face : faces)
+  {
+    for (int material : { face.pair.first, face.pair.second })
+    {
+      if (std::find(done.begin(), done.end(), material) != done.end() || material == 0)
+      {
+        continue;
+      }
+      done.push_back(material);
+      normals.clear();
+      Vec3 sum;
+      for (const Face& other : faces)
+      {
+        const int side = SideOf(other.pair, material);
+        if (side != 0)
+        {
+          normals.push_back(side * other.normal);
+          sum += normals.back();
+        }
+      }
+      const Vec3 mean = Normalized(sum);
+      double seen = 1;
+      for (const Vec3& n : normals)
+      {
+        seen = std::min(seen, Dot(mean, n));
+      }
+      least = std::min(least, seen >= leastVisibility ? seen : FindVisibleDirection(normals).leastCosine);
+    }
+    if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
+    {
+      break;
+    }
+  }
+  return least;
+}
+
+/// Visibility after an edit, or a lower bound of it that is good enough.
+double EditableSurface::SightAfter(Id p, const Edit& edit) const
+{
+  if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
+  {
+    // Most often the mean normal sees all faces well: no need to look for the best.
+    ShortList<Vec3, 24> normals;
+    Vec3 sum;
+    const auto add = [&](const Vec3& normal)
+    {
+      normals.push_back(normal);
+      sum += normal;
+    };
+    for (Id t : this->Star(p))
+    {
+      if (!std::binary_search(edit.removed.begin(), edit.removed.end(), t))
+      {
+        add(this->Normals[static_cast<std::size_t>(t)]);
+      }
+    }
+    for (const Added& t : edit.added)
+    {
+      if (Has(t.corners, p))
+      {
+        add(t.normal);
+      }
+    }
+    double least = 1;
+    const Vec3 mean = Normalized(sum);
+    for (const Vec3& normal : normals)
+    {
+      least = std::min(least, Dot(mean, normal));
+    }
+    if (least >= 0.6)
+    {
+      return least;
+    }
+  }
+  return this->Visibility(p, &edit);
+}
+
+bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) const
+{
+  ShortList<Id, 32> nodes;
+  for (const Added& t : edit.added)
+  {
+    for (Id p : t.corners)
+    {
+      if (std::find(nodes.begin(), nodes.end(), p) == nodes.end())
+      {
+        nodes.push_back(p);
+      }
+    }
+  }
+  for (Id p : nodes)
+  {
+    // A node that was hidden before may stay so, but no edit may hide it more.
+    const double after = this->SightAfter(p, edit);
+    allVisible = allVisible && after >= leastVisibility;
+    if (p == this->Mended && after < this->MendedSight)
+    {
+      return false;
+    }
+    const double least = this->Mending ? leastVisibilityMending : leastVisibility;
+    if (after < least && after < this->Visibility(p, nullptr) - rounding)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool EditableSurface::Uncover(Id p, double goal)
+{
+  const double before = this->Star(p).empty() ? 1 : this->Visibility(p);
+  if (before >= goal)
+  {
+    return false;
+  }
+  this->Mending = true;
+  this->Mended = p;
+  this->MendedSight = std::min(goal, before + 0.02);
+  const bool done =
+    this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) || this->UncoverBySearch(p);
+  this->Mending = false;
+  this->Mended = -1;
+  return done;
+}
+
+bool EditableSurface::UncoverByMove(Id p)
+{
+  if (this->Classes[static_cast<std::size_t>(p)] != OnSheet)
+  {
+    return false;
+  }
+  Vec3 mean;
+  double worst = 1;
+  for (Id t : this->Star(p))
+  {
+    worst = std::min(worst, this->Quality(t));
+    for (Id q : this->Corners(t))
+    {
+      mean += q == p ? Vec3{} : this->Point(q);
+    }
+  }
+  mean *= 0.5 / static_cast<double>(this->Star(p).size());
+  for (double step : { 0.5, 1.0, 0.25 })
+  {
+    if (this->TryMove(p, this->Point(p) + step * (mean - this->Point(p)), std::min(0.3, worst)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool EditableSurface::UncoverByMerge(Id p)
+{
+  const std::vector<Id> ring = this->RingOf(p);
+  return std::any_of(ring.begin(), ring.end(), [&](Id q) { return this->Merge(p, q, true); });
+}
+
+bool EditableSurface::UncoverBySwap(Id p)
+{
+  const std::vector<Id> star = this->Star(p);
+  for (Id t : star)
+  {
+    const Triangle c = this->Corners(t);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (this->Swap(c[k], c[(k + 1) % 3]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Try many small moves of p and the points around it.
+bool EditableSurface::UncoverBySearch(Id p)
+{
+  std::vector<Id> ring = this->RingOf(p);
+  ring.insert(ring.begin(), p);
+  for (const double step : { 0.25, 0.1, 0.04 })
+  {
+    for (Id q : ring)
+    {
+      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet)
+      {
+        continue;
+      }
+      double worst = 1;
+      for (Id t : this->Star(q))
+      {
+        worst = std::min(worst, this->Quality(t));
+      }
+      for (int i = 0; i < 27; ++i)
+      {
+        const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
+        if (this->TryMove(q, this->Point(q) + step * this->Target(q) * Normalized(way),
+                          std::min(0.35, worst)))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// The points that share a triangle with p, ascending, without p.
+std::vector<Id> EditableSurface::RingOf(Id p) const
+{
+  std::vector<Id> ring;
+  for (Id t : this->Star(p))
+  {
+    for (Id q : this->Corners(t))
+    {
+      if (q != p)
+      {
+        ring.push_back(q);
+      }
+    }
+  }
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return ring;
+}
+
+} // namespace lamina

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the rounds left: hidden nodes and bad triangles.
+#include "Refinement.h"
+
+#include <algorithm>
+
+namespace lamina
+{
+
+/// Nodes whose faces no direction sees well: nothing good can grow there.
+void Refinement::UncoverNodes()
+{
+  constexpr double goal = 0.5;
+  constexpr double enough = 0.41;
+  std::vector<Id> candidates;
+  for (Id p = 0; p < this->Surface.PointCount(); ++p)
+  {
+    candidates.push_back(p);
+  }
+  for (int round = 0; round < 12 && !candidates.empty(); ++round)
+  {
+    std::vector<std::pair<double, Id>> hidden;
+    for (Id p : candidates)
+    {
+      const double sight = this->Surface.Star(p).empty() ? 1 : this->Surface.Visibility(p);
+      if (sight < (round == 0 ? goal : enough))
+      {
+        hidden.push_back({ sight, p });
+      }
+    }
+    std::sort(hidden.begin(), hidden.end());
+    candidates.clear();
+    bool better = false;
+    for (const auto& node : hidden)
+    {
+      candidates.push_back(node.second);
+      for (int again = 0; again < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(node.second, goal);
+           ++again)
+      {
+        better = true;
+      }
+    }
+    if (!better)
+    {
+      return;
+    }
+  }
+}
+
+/// Bad triangles that the rounds left: merge away their shortest edge or move a corner.
+void Refinement::MendShapes(RefineSurfaceReport& report)
+{
+  constexpr double good = 0.4;
+  for (int round = 0; round < 4; ++round)
+  {
+    std::vector<std::pair<double, Id>> bad;
+    for (Id t = 0; t < this->Surface.TriangleCount(); ++t)
+    {
+      if (this->Surface.IsAlive(t) && this->Surface.Quality(t) < good)
+      {
+        bad.push_back({ this->Surface.Quality(t), t });
+      }
+    }
+    if (bad.empty() || this->Watch.Cancelled())
+    {
+      return;
+    }
+    std::sort(bad.begin(), bad.end());
+    for (const auto& item : bad)
+    {
+      if (!this->Surface.IsAlive(item.second) || this->Surface.Quality(item.second) > good || this->Stopped())
+      {
+        continue;
+      }
+      Triangle c = this->Surface.Corners(item.second);
+      std::size_t shortest = 0;
+      for (std::size_t k = 1; k < 3; ++k)
+      {
+        if (this->Surface.Length(c[k], c[(k + 1) % 3]) <
+            this->Surface.Length(c[shortest], c[(shortest + 1) % 3]))
+        {
+          shortest = k;
+        }
+      }
+      const bool merged = this->Surface.Merge(c[shortest], c[(shortest + 1) % 3], true) ||
+                          this->Surface.Merge(c[(shortest + 1) % 3], c[(shortest + 2) % 3], true) ||
+                          this->Surface.Merge(c[(shortest + 2) % 3], c[shortest], true);
+      report.merges += merged ? 1 : 0;
+    }
+    this->SwapAll(report);
+    for (const auto& item : bad)
+    {
+      if (this->Surface.IsAlive(item.second))
+      {
+        for (Id p : Triangle(this->Surface.Corners(item.second)))
+        {
+          this->Surface.Relax(p);
+        }
+      }
+    }
+  }
+}
+
+} // namespace lamina

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Write the inputs of MeasureRefinement: labels of the phantom and of the shared images, and closed surfaces.
+
+    LAMINA_PLUGIN=.../Lamina.so pvpython WriteRefinementInputs.py SHARED_DATA OUTPUT
+
+with PYTHONPATH set to the plugin's folder. A .labels file: three sizes (int64), three spacings (double), the material
+ids (int32), i fastest. A .surface file: the numbers of points and triangles (int64), points (double), corners (int64).
+"""
+import os
+import sys
+from types import SimpleNamespace
+
+import lamina  # noqa: F401  before any object of the plugin is looked at
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "Examples"))
+from lamina_images import read_image  # noqa: E402
+from lamina_pipeline import Pipeline, load_plugin, producer, read_mask, simple  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData  # noqa: E402
+from vtkmodules.vtkIOGeometry import vtkSTLReader  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
+
+
+def save_labels(path, image, part=None):
+    array = image.GetPointData().GetArray("MaterialIds") or image.GetPointData().GetScalars()
+    labels = vtk_to_numpy(array).reshape(image.GetDimensions()[::-1]).astype(np.int32)
+    labels = labels[part] if part else labels
+    with open(path, "wb") as file:
+        file.write(np.array(labels.shape[::-1], np.int64).tobytes())
+        file.write(np.array(image.GetSpacing(), float).tobytes())
+        file.write(np.ascontiguousarray(labels).tobytes())
+
+
+def save_surface(path, reader, source):
+    reader.SetFileName(source)
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(reader.GetOutputPort())
+    clean.Update()
+    surface = clean.GetOutput()
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
+    with open(path, "wb") as file:
+        file.write(np.array([len(points), len(triangles)], np.int64).tobytes())
+        file.write(points.tobytes())
+        file.write(triangles.tobytes())
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    data, output = sys.argv[1:]
+    os.makedirs(output, exist_ok=True)
+    load_plugin()
+    pipeline = Pipeline()
+
+    def segmented(image, thresholds, mask=None):
+        return pipeline.segment(image, mask, SimpleNamespace(thresholds=thresholds, open_border=[]))
+
+    def labels(name, image, part=None):
+        save_labels(os.path.join(output, f"{name}.labels"), image, part)
+
+    for resolution in (60, 120):
+        grey, = pipeline.update(simple.HeartPhantom(Resolution=resolution))
+        labels(f"phantom{resolution}", segmented(grey, [50, 110, 150]))
+    heart = os.path.join(data, "heart_cta")
+    scan = read_image(os.path.join(heart, "ct.mha"))
+    labels("heart_cta", segmented(scan, [-20, 215], read_mask(os.path.join(heart, "mask.mha"), scan)))
+    labels("tooth", segmented(read_image(os.path.join(data, "tooth", "tooth.nhdr")), [520, 950]))
+    labels("mickey", read_image(os.path.join(data, "cleaver_tests", "mickey.nrrd")))
+    mouse = read_image(os.path.join(data, "digimouse", "labels.mha"))
+    labels("digimouse", mouse)
+    labels("thorax", mouse, (slice(5, 95), slice(160, 330), slice(35, 135)))
+    for name, reader, source in (("biv_heart", vtkXMLPolyDataReader(), "biv_heart_surface/heart.vtp"),
+                                 ("vmtk_aorta", vtkSTLReader(), "vmtk_aorta/aorta-surface.stl")):
+        save_surface(os.path.join(output, f"{name}.surface"), reader, os.path.join(data, source))
+
+
+if __name__ == "__main__":
+    main()
