@@ -233,7 +233,9 @@ class Pipeline:
             core = simple.CoreTetrahedra(Input=simple.OutputPort(prisms, 1))
             self.run_stage("Core Tetrahedra", core)
             parts += [prisms, core]
-        mesh = simple.FluidSolidMesh(Input=parts, Scale=options.scale)
+        mesh = simple.FluidSolidMesh(Input=parts, Surface=surface, Scale=options.scale, Unit=options.unit, Names=options.names,
+                                     InterfaceNodes="Doubled" if options.doubled_nodes else "Shared",
+                                     FluidMaterials=fluid or [2])
         self.run_stage("Fluid-Solid Mesh", mesh)
         return mesh
 
