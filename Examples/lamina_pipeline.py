@@ -152,7 +152,7 @@ class Pipeline:
         solid, fluid = self.choose(labels, options)
         surface = self.make_surface(labels, mask, fluid, options)
         mesh = self.fill(surface, solid, fluid, options)
-        audit = simple.MeshAudit(Input=mesh, Surface=surface, SurfaceScale=options.scale)
+        audit = simple.MeshAudit(Input=mesh, Surface=surface, Image=producer(labels), SurfaceScale=options.scale)
         grid = self.run_stage("Mesh Audit", audit)
         self.results.finish(labels, output_of(surface), grid, solid, fluid)
 

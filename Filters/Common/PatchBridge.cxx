@@ -74,6 +74,26 @@ struct PatchArrays
   }
 };
 
+/// Patches and faces from sound arrays, untested.
+void TakeRows(const PatchArrays& arrays, MeshPatches& read)
+{
+  for (vtkIdType p = 0; p < arrays.names->GetNumberOfValues(); ++p)
+  {
+    MeshPatch patch;
+    patch.name = arrays.names->GetValue(p);
+    patch.kind = static_cast<PatchKind>(static_cast<int>(arrays.kinds->GetComponent(p, 0)));
+    patch.pair = { static_cast<int>(arrays.pairs->GetComponent(p, 0)),
+                   static_cast<int>(arrays.pairs->GetComponent(p, 1)) };
+    read.patches.push_back(patch);
+  }
+  for (vtkIdType f = 0; f < arrays.faces->GetNumberOfTuples(); ++f)
+  {
+    const auto part = [&](int k) { return static_cast<Id>(arrays.faces->GetComponent(f, k)); };
+    read.faces.push_back(
+      { part(0), static_cast<int>(part(1)), static_cast<int>(part(2)), part(3), static_cast<int>(part(4)) });
+  }
+}
+
 bool IsFaceOf(const VolumeMesh& mesh, Id cell, int face, int material)
 {
   return cell >= 0 && cell < mesh.CellCount() && face >= 0 && face < FaceCount(mesh.types[Index(cell)]) &&
@@ -199,26 +219,18 @@ MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool&
   }
   const MeshPatches none{ {}, {}, read.materialNames };
   isStale = !arrays.AreSound() || static_cast<Id>(arrays.cells->GetComponent(0, 0)) != mesh.CellCount();
-  for (vtkIdType p = 0; p < arrays.names->GetNumberOfValues() && !isStale; ++p)
+  if (!isStale)
   {
-    MeshPatch patch;
-    patch.name = arrays.names->GetValue(p);
-    patch.kind = static_cast<PatchKind>(static_cast<int>(arrays.kinds->GetComponent(p, 0)));
-    patch.pair = { static_cast<int>(arrays.pairs->GetComponent(p, 0)),
-                   static_cast<int>(arrays.pairs->GetComponent(p, 1)) };
-    read.patches.push_back(patch);
+    TakeRows(arrays, read);
   }
-  for (vtkIdType f = 0; f < arrays.faces->GetNumberOfTuples() && !isStale; ++f)
+  for (std::size_t f = 0; f < read.faces.size() && !isStale; ++f)
   {
-    const auto part = [&](int k) { return static_cast<Id>(arrays.faces->GetComponent(f, k)); };
-    const PatchFace face{ part(0), static_cast<int>(part(1)), static_cast<int>(part(2)), part(3),
-                          static_cast<int>(part(4)) };
+    const PatchFace& face = read.faces[f];
     isStale = face.patch < 0 || Index(face.patch) >= read.patches.size() ||
               !Fits(mesh, face, read.patches[Index(face.patch)]);
     if (!isStale)
     {
       Measure(mesh, FaceOf(mesh, face.cell, face.face), read.patches[Index(face.patch)]);
-      read.faces.push_back(face);
     }
   }
   for (MeshPatch& patch : read.patches)
@@ -226,6 +238,18 @@ MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool&
     patch.centre *= patch.area > 0 ? 1 / patch.area : 0;
   }
   return isStale ? none : read;
+}
+
+bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches)
+{
+  const PatchArrays arrays(grid->GetFieldData());
+  patches = {};
+  if (!arrays.AreThere() || !arrays.AreSound())
+  {
+    return false;
+  }
+  TakeRows(arrays, patches);
+  return true;
 }
 
 void WriteBoundary(const VolumeMesh& mesh, const MeshPatches& patches, vtkPolyData* output, int only)

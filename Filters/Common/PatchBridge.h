@@ -21,6 +21,10 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid);
 /// found on (it was cut or joined since); `isStale` then tells.
 MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool& isStale);
 
+/// Read them as they are, for the audit: faces may be wrong, only the arrays' shapes are tested. False if
+/// there are none.
+bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches);
+
 /// The patches as a surface: triangles and quads with PatchIds and BoundaryLabels, points with GlobalNodeIds
 /// and InterfaceNodeIds. With `only` one patch.
 void WriteBoundary(const VolumeMesh& mesh, const MeshPatches& patches, vtkPolyData* output, int only = -1);
