@@ -13,10 +13,12 @@ namespace
 template<typename T>
 void PutBytes(std::string& out, T value)
 {
-  for (int shift = 8 * (static_cast<int>(sizeof(T)) - 1); shift >= 0; shift -= 8)
+  char bytes[sizeof(T)];
+  for (std::size_t k = 0; k < sizeof(T); ++k)
   {
-    out += static_cast<char>(static_cast<std::uint64_t>(value) >> shift & 0xff);
+    bytes[k] = static_cast<char>(static_cast<std::uint64_t>(value) >> 8 * (sizeof(T) - 1 - k) & 0xff);
   }
+  out.append(bytes, sizeof(T));
 }
 
 void PutInt(std::string& out, Id value)

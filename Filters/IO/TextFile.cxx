@@ -56,7 +56,7 @@ TextFile::~TextFile()
   }
 }
 
-TextFile& TextFile::Put(const char* text, std::size_t length)
+TextFile& TextFile::PutLong(const char* text, std::size_t length)
 {
   while (length > 0)
   {
@@ -75,11 +75,9 @@ TextFile& TextFile::Put(const char* text, std::size_t length)
 
 TextFile& TextFile::Pad(const char* text, std::size_t length, int width)
 {
-  for (std::size_t n = length; n < static_cast<std::size_t>(width); ++n)
-  {
-    this->Put(" ", 1);
-  }
-  return this->Put(text, length);
+  static const char blanks[] = "                                ";
+  const std::size_t missing = std::max(static_cast<std::size_t>(width), length) - length;
+  return this->Put(blanks, std::min(missing, sizeof blanks - 1)).Put(text, length);
 }
 
 TextFile& TextFile::Field(Id value, int width)
@@ -92,7 +90,7 @@ TextFile& TextFile::Field(Id value, int width)
 TextFile& TextFile::Field(double value, int width)
 {
   char text[40];
-  for (int digits = 17;;)
+  for (int digits = std::min(17, width - 1);;)
   {
     char* end = std::to_chars(text, text + sizeof text - 2, value, std::chars_format::general, digits).ptr;
     int length = static_cast<int>(end - text);
@@ -112,6 +110,13 @@ TextFile& TextFile::Field(double value, int width)
     }
     digits = std::max(1, digits - (length - width));
   }
+}
+
+TextFile& TextFile::Within(double value, int most)
+{
+  char text[40];
+  const auto shortest = std::to_chars(text, text + sizeof text, value).ptr - text;
+  return shortest <= most ? this->Put(text, static_cast<std::size_t>(shortest)) : this->Field(value, most);
 }
 
 TextFile& TextFile::Point(const Vec3& p, const char* separator)

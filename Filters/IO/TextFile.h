@@ -7,6 +7,7 @@
 #include "Base/Types.h"
 
 #include <charconv>
+#include <cstring>
 #include <string>
 
 namespace lamina
@@ -31,6 +32,9 @@ public:
   TextFile& operator<<(std::size_t value) { return this->Number(value); }
   /// The shortest text that reads back as the same number.
   TextFile& operator<<(double value) { return this->Number(value); }
+  /// The shortest text that reads back as the same number if it fits `most` characters, else as many digits
+  /// as fit.
+  TextFile& Within(double value, int most);
   /// Right-aligned in a field of `width`.
   TextFile& Field(Id value, int width);
   /// The most digits that fit a field of `width`, with a decimal point; right-aligned.
@@ -58,7 +62,17 @@ private:
     this->Used += static_cast<std::size_t>(std::to_chars(begin, begin + longest, value).ptr - begin);
     return *this;
   }
-  TextFile& Put(const char* text, std::size_t length);
+  TextFile& Put(const char* text, std::size_t length)
+  {
+    if (this->Used + length > Capacity)
+    {
+      return this->PutLong(text, length);
+    }
+    std::memcpy(&this->Buffer[this->Used], text, length);
+    this->Used += length;
+    return *this;
+  }
+  TextFile& PutLong(const char* text, std::size_t length);
   TextFile& Pad(const char* text, std::size_t length, int width);
   void Flush();
 

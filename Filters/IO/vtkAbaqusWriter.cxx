@@ -10,6 +10,8 @@ vtkStandardNewMacro(vtkAbaqusWriter);
 namespace
 {
 
+constexpr int ItemWidth = 20; ///< of a number in a data line
+
 const char* TypeName(lamina::CellType type, bool isQuadratic)
 {
   switch (type)
@@ -119,8 +121,13 @@ void vtkAbaqusWriter::Save(lamina::SaveJob& job)
   const auto& points = job.model.mesh.points;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    file << p + 1 << ", ";
-    file.Point(points[p], ", ") << "\n";
+    file << p + 1;
+    for (int k = 0; k < 3; ++k)
+    {
+      file << ", ";
+      file.Within(points[p][k], ItemWidth);
+    }
+    file << "\n";
   }
   if (!job.GoesOn(0.3, "Writing elements"))
   {

@@ -33,6 +33,7 @@ lamina::Status WriteXML(vtkXMLWriter* writer, vtkDataObject* data, const std::st
   writer->SetFileName(unfinished.c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
   if (writer->Write() == 0 || writer->GetErrorCode() != 0 ||
       std::rename(unfinished.c_str(), path.c_str()) != 0)
   {

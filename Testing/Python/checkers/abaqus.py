@@ -52,6 +52,7 @@ def read(path):
         if keyword == "NODE":
             for line in data:
                 number, *xyz = line.split(",")
+                demand(all(len(x.strip()) <= 20 for x in xyz), f"node {number}: a number of more than 20 characters")
                 points[int(number)] = [float(x) for x in xyz]
                 demand(len(xyz) == 3, f"node {number} of {len(xyz)} coordinates")
         elif keyword == "ELEMENT":
