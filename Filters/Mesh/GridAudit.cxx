@@ -44,7 +44,8 @@ Result<GridAudit> AuditWholeGrid(const GridAuditInput& input, const AuditOptions
   SubMonitor third(monitor, 0.7, 0.9);
   FindPatchesOptions finding;
   finding.surfaceScale = options.surfaceScale;
-  const auto found = FindPatches(mesh, input.surface, finding, audit.found, third);
+  const auto found = FindPatches(mesh, input.surface, finding, audit.found, third, &audit.marks.faces);
+  audit.marks.faces = {};
   if (!found)
   {
     return found.GetError();
@@ -52,9 +53,8 @@ Result<GridAudit> AuditWholeGrid(const GridAuditInput& input, const AuditOptions
   audit.hasPatches = input.patches != nullptr;
   if (input.patches != nullptr)
   {
-    const bool isSure = input.surface != nullptr;
     audit.patches =
-      AuditPatches(mesh, *input.patches, isSure ? &audit.found : nullptr, audit.marks.flags, monitor);
+      AuditPatches(mesh, *input.patches, audit.found, input.surface != nullptr, audit.marks.flags);
     Append(audit.patches.findings, audit.report.findings);
   }
   if (input.surface != nullptr)

@@ -49,4 +49,18 @@ Result<std::map<std::string, std::string>> ParseNames(const std::string& text)
   return names;
 }
 
+std::vector<std::string> SplitNames(const std::string& text)
+{
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ';');)
+  {
+    if (!Trimmed(name).empty())
+    {
+      names.push_back(Trimmed(name));
+    }
+  }
+  return names;
+}
+
 } // namespace lamina

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/Quality.h"
+#include "Mesh/AuditPatches.h"
 #include "Mesh/CellFaces.h"
 #include "Mesh/MeshPatches.h"
 #include "Mesh/PieceOrder.h"
@@ -177,6 +178,34 @@ TEST(MeshPatches, AFluidWithoutWallAndNothingAtAll)
   MeshPatches patches;
   EXPECT_EQ(FindPatches(VolumeMesh{}, nullptr, { 0, {} }, patches, monitor).GetError().kind,
             Failure::InvalidOption);
+}
+
+TEST(MeshPatches, ManyPiecesOfSteppedSizesAreInOrder)
+{
+  // Bars of blood that differ by a tenth or less, one to the next, and not in the order of their places.
+  const int lengths[6] = { 20, 24, 21, 25, 22, 23 };
+  const auto material = [&](const Vec3& p)
+  {
+    const int bar = static_cast<int>(p.x * 6);
+    const double inBar = p.x * 6 - bar;
+    const bool isIn =
+      inBar > 0.3 && inBar < 0.7 && std::abs(p.y - 0.5) < 0.1 && p.z > 0.1 && p.z < 0.1 + lengths[bar] / 30.0;
+    return isIn ? 2 : 1;
+  };
+  VolumeMesh mesh = MakeBlocks(30, material);
+  const MeshPatches found = Find(mesh);
+  ASSERT_EQ(found.patches.size(), 7u);
+  std::vector<unsigned char> flags(mesh.types.size(), 0);
+  PatchAudit audit = AuditPatches(mesh, found, Find(mesh), false, flags);
+  EXPECT_TRUE(audit.findings.empty()) << audit.findings[0];
+  MeshPatches swapped = found;
+  for (PatchFace& face : swapped.faces)
+  {
+    face.patch = face.patch == 1 ? 4 : (face.patch == 4 ? 1 : face.patch);
+  }
+  audit = AuditPatches(mesh, swapped, Find(mesh), false, flags);
+  ASSERT_EQ(audit.findings.size(), 1u);
+  EXPECT_NE(audit.findings[0].find("wrong order"), std::string::npos);
 }
 
 TEST(PieceOrder, NearlyEqualSizesGoByPlace)

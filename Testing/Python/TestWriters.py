@@ -135,6 +135,14 @@ def with_tetrahedra(folder, tets, truth):
     model = carp.read(os.path.join(place, "mesh.elem"))
     model.cells = [({1: "tissue", 2: "blood"}[tag], nodes) for tag, nodes in model.cells]
     compare("CARP", model, truth, 1e-14, 1000.0)  # millimetres to micrometres
+    fibers = simple.RuleBasedFibers(Input=tets)
+    ok, errors, warnings = write("CARP", fibers, os.path.join(place, "fibers.elem"))
+    check(ok and not warnings, f"CARP with fibres: {errors} {warnings}")
+    carp.read(os.path.join(place, "fibers.elem"))
+    with open(os.path.join(place, "fibers.lon"), encoding="ascii") as file:
+        rows = np.array([[float(v) for v in line.split()] for line in file.read().split("\n")[1:-1]])
+    lengths = np.linalg.norm(rows, axis=1)
+    check(np.count_nonzero(lengths > 0.5) == truth.counts["tissue"][4], "fibres in the tissue, none in the blood")
     print("ok: CARP", flush=True)
     simvascular(os.path.join(folder, "mesh-complete"), tets, truth)
     for name in ("Abaqus", "Nastran", "FEBio"):

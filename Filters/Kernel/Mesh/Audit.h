@@ -107,6 +107,7 @@ struct AuditMarks
   std::vector<double> quality;      ///< MeshQuality
   std::vector<unsigned char> flags; ///< MeshingFlags
   std::vector<CellFace> boundary;   ///< faces of one cell only
+  CellFaces faces;                  ///< all, for who goes on from here
 };
 
 /// Audit `mesh`; with `surface` (may be null) also interfaces and enclosed volumes.

@@ -64,6 +64,7 @@ public:
     this->CountComponents();
     this->CountStacks();
     this->Tell();
+    this->Marks.faces = std::move(this->Faces);
   }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "CellFaces.h"
 #include "Findings.h"
+#include "PieceOrder.h"
 
 #include <algorithm>
 #include <set>
@@ -20,14 +21,6 @@ std::size_t Index(Id id)
 
 using Key = std::pair<Id, int>; // a cell and its face
 
-/// The faces that ought to be in patches, by the side on the first material.
-MeshPatches FindAnew(const VolumeMesh& mesh, Monitor& monitor)
-{
-  MeshPatches found;
-  const auto report = FindPatches(mesh, nullptr, {}, found, monitor);
-  return report ? found : MeshPatches{};
-}
-
 Vec3 PlaceOf(const VolumeMesh& mesh, const PatchFace& face)
 {
   return mesh.points[Index(FaceOf(mesh, face.cell, face.face).corners[0])];
@@ -43,10 +36,9 @@ public:
   {
   }
 
-  PatchAudit Run(const MeshPatches* truth, Monitor& monitor)
+  PatchAudit Run(const MeshPatches& anew, bool isSure)
   {
-    const MeshPatches anew = truth != nullptr ? MeshPatches{} : FindAnew(this->Mesh, monitor);
-    this->ReadTruth(truth != nullptr ? *truth : anew, truth != nullptr);
+    this->ReadTruth(anew, isSure);
     for (const PatchFace& face : this->Patches.faces)
     {
       this->TestFace(face);
@@ -232,16 +224,11 @@ private:
     }
   }
 
-  /// Within a kind and pair of materials the largest come first, those as large by place: see PieceOrder.h.
-  /// Only what is clearly the other way round counts.
+  /// The patches of a kind and pair of materials stand in the order of their sizes and places.
   void TestOrder()
   {
-    std::vector<MeshPatch> own = this->Patches.patches;
-    for (MeshPatch& patch : own)
-    {
-      patch.area = 0;
-      patch.centre = {};
-    }
+    const auto& patches = this->Patches.patches;
+    std::vector<Piece> pieces(patches.size());
     for (const PatchFace& face : this->Patches.faces)
     {
       const CellFace c = FaceOf(this->Mesh, face.cell, face.face);
@@ -249,41 +236,33 @@ private:
       for (std::size_t k = 1; k < (c.IsQuad() ? 3u : 2u); ++k)
       {
         const double area = 0.5 * Norm(Cross(at(k) - at(0), at(k + 1) - at(0)));
-        own[Index(face.patch)].area += area;
-        own[Index(face.patch)].centre += (at(0) + at(k) + at(k + 1)) * (area / 3);
+        pieces[Index(face.patch)].size += area;
+        pieces[Index(face.patch)].centre += (at(0) + at(k) + at(k + 1)) * (area / 3);
       }
     }
-    for (std::size_t p = 1; p < own.size(); ++p)
+    for (std::size_t begin = 0; begin < patches.size();)
     {
-      const MeshPatch& a = own[p - 1];
-      const MeshPatch& b = own[p];
-      if (a.kind != b.kind || a.pair != b.pair || !(a.area > 0) || !(b.area > 0))
+      std::size_t end = begin;
+      std::vector<Piece> family;
+      for (; end < patches.size() && patches[end].kind == patches[begin].kind &&
+             patches[end].pair == patches[begin].pair;
+           ++end)
       {
-        continue;
+        family.push_back(pieces[end]);
+        family.back().centre *= family.back().size > 0 ? 1 / family.back().size : 0;
       }
-      const double gap = 0.02 * std::sqrt(a.area + b.area);
-      const Vec3 step = b.centre * (1 / b.area) - a.centre * (1 / a.area);
-      int axis = 0;
-      while (axis < 2 && std::abs(step[axis]) < gap)
+      const auto order = OrderPieces(family, ExtentOf(this->Mesh.points));
+      for (std::size_t k = 0; k < order.size(); ++k)
       {
-        ++axis;
+        if (order[k] != k)
+        {
+          this->Swap(static_cast<int>(begin + k),
+                     "and " + patches[begin + order[k]].name + " stand in the wrong order: they are swapped");
+          break; // those that follow are out of order for the same reason
+        }
       }
-      const bool isSameSize = a.area < 1.05 * b.area && b.area < 1.05 * a.area;
-      if (b.area > 1.2 * a.area || (isSameSize && this->IsPair(p) && step[axis] < -10 * gap))
-      {
-        this->Swap(static_cast<int>(p), "and " + a.name + " stand in the wrong order: they are swapped");
-      }
+      begin = end;
     }
-  }
-
-  /// True if patches p - 1 and p are the only ones of their kind and materials, so that their order is theirs
-  /// alone.
-  bool IsPair(std::size_t p) const
-  {
-    const auto& all = this->Patches.patches;
-    const auto isKin = [&](const MeshPatch& other)
-    { return other.kind == all[p].kind && other.pair == all[p].pair; };
-    return std::count_if(all.begin(), all.end(), isKin) == 2;
   }
 
   void Swap(int patch, const std::string& what)
@@ -320,10 +299,10 @@ private:
 
 } // namespace
 
-PatchAudit AuditPatches(const VolumeMesh& mesh, const MeshPatches& patches, const MeshPatches* truth,
-                        std::vector<unsigned char>& flags, Monitor& monitor)
+PatchAudit AuditPatches(const VolumeMesh& mesh, const MeshPatches& patches, const MeshPatches& anew,
+                        bool isSure, std::vector<unsigned char>& flags)
 {
-  return Auditor(mesh, patches, flags).Run(truth, monitor);
+  return Auditor(mesh, patches, flags).Run(anew, isSure);
 }
 
 } // namespace lamina

@@ -18,9 +18,9 @@ struct PatchAudit
   std::vector<std::string> findings;
 };
 
-/// Audit `patches` (MeshPatches as a mesh carries them) against the mesh; with `truth` (may be null), the
-/// patches found anew with the surface, also whether each face is of the kind it is there.
-PatchAudit AuditPatches(const VolumeMesh& mesh, const MeshPatches& patches, const MeshPatches* truth,
-                        std::vector<unsigned char>& flags, Monitor& monitor);
+/// Audit `patches` (MeshPatches as a mesh carries them) against those found anew. With `isSure` these were
+/// found with the surface, and tell also walls, plane ends and openings apart.
+PatchAudit AuditPatches(const VolumeMesh& mesh, const MeshPatches& patches, const MeshPatches& anew,
+                        bool isSure, std::vector<unsigned char>& flags);
 
 } // namespace lamina

@@ -114,9 +114,10 @@ std::vector<int> MatchSurface(const VolumeMesh& mesh, const TriangleComplex& sur
 
 /// The faces that belong to a patch: those of one cell, and those of two cells of different materials.
 std::vector<RawFace> CollectFaces(const VolumeMesh& mesh, const TriangleComplex* surface, double scale,
-                                  Monitor& monitor)
+                                  const CellFaces* known, Monitor& monitor)
 {
-  const CellFaces all = FindCellFaces(mesh, monitor);
+  const CellFaces own = known != nullptr ? CellFaces{} : FindCellFaces(mesh, monitor);
+  const CellFaces& all = known != nullptr ? *known : own;
   const Openings openings(surface, scale);
   const std::vector<int> patchOf =
     surface != nullptr ? MatchSurface(mesh, *surface, scale, all) : std::vector<int>{};
@@ -147,12 +148,12 @@ std::vector<RawFace> CollectFaces(const VolumeMesh& mesh, const TriangleComplex*
     }
     else if (surface != nullptr)
     {
-      const int known = patchOf[g];
-      const bool isOpening = IsOpening(*surface, known);
-      const int opening = known != 0 && !isOpening ? 0 : openings.Find(mesh, first, known);
-      raw.group.surfacePatch = opening != 0 ? opening : known;
+      const int marked = patchOf[g];
+      const bool isOpening = IsOpening(*surface, marked);
+      const int opening = marked != 0 && !isOpening ? 0 : openings.Find(mesh, first, marked);
+      raw.group.surfacePatch = opening != 0 ? opening : marked;
       raw.group.kind =
-        opening != 0 || isOpening ? PatchKind::Opening : (known != 0 ? PatchKind::Border : PatchKind::Wall);
+        opening != 0 || isOpening ? PatchKind::Opening : (marked != 0 ? PatchKind::Border : PatchKind::Wall);
     }
     faces.push_back(raw);
   }
@@ -227,18 +228,6 @@ void Measure(const VolumeMesh& mesh, const RawFace& face, MeshPatch& patch)
     add(at(0), at(2), at(3));
   }
   ++patch.faces;
-}
-
-double ExtentOf(const std::vector<Vec3>& points)
-{
-  Vec3 low = points.empty() ? Vec3{} : points.front();
-  Vec3 high = low;
-  for (const Vec3& p : points)
-  {
-    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
-    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
-  }
-  return Norm(high - low);
 }
 
 /// Gives materials and patches their names, and remembers what was asked for in vain.
@@ -342,14 +331,14 @@ std::string MaterialName(const std::map<int, std::string>& names, int material)
 
 Result<FindPatchesReport> FindPatches(const VolumeMesh& mesh, const TriangleComplex* surface,
                                       const FindPatchesOptions& options, MeshPatches& patches,
-                                      Monitor& monitor)
+                                      Monitor& monitor, const CellFaces* known)
 {
   if (!(options.surfaceScale > 0 && std::isfinite(options.surfaceScale)))
   {
     return InvalidOption("surfaceScale is " + std::to_string(options.surfaceScale) + ", but must be above 0");
   }
   monitor.Progress(0, "Finding the faces");
-  const std::vector<RawFace> raw = CollectFaces(mesh, surface, options.surfaceScale, monitor);
+  const std::vector<RawFace> raw = CollectFaces(mesh, surface, options.surfaceScale, known, monitor);
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -4,6 +4,7 @@
 
 #include "../Base/Monitor.h"
 #include "../Base/Result.h"
+#include "CellFaces.h"
 #include "TriangleComplex.h"
 #include "VolumeMesh.h"
 
@@ -65,10 +66,11 @@ struct FindPatchesReport
 
 /// Find and name all patches of a mesh. With `surface` (may be null), whose patches tell openings and plane
 /// ends; without it all outer faces are walls. Names are interface_A_B_n, wall_A_n, border_A_n and
-/// opening_A_n of materials A < B, with n from 1 in an order of size and place (PieceOrder.h).
+/// opening_A_n of materials A < B, with n from 1 in an order of size and place (PieceOrder.h). `known` are
+/// the mesh's faces, where somebody has found them already.
 Result<FindPatchesReport> FindPatches(const VolumeMesh& mesh, const TriangleComplex* surface,
                                       const FindPatchesOptions& options, MeshPatches& patches,
-                                      Monitor& monitor);
+                                      Monitor& monitor, const CellFaces* known = nullptr);
 
 /// The name of a material: its own, else "material_<id>".
 std::string MaterialName(const std::map<int, std::string>& names, int material);

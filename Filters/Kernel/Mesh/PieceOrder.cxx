@@ -60,4 +60,16 @@ std::vector<std::size_t> OrderPieces(const std::vector<Piece>& pieces, double ex
   return order;
 }
 
+double ExtentOf(const std::vector<Vec3>& points)
+{
+  Vec3 low = points.empty() ? Vec3{} : points.front();
+  Vec3 high = low;
+  for (const Vec3& p : points)
+  {
+    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
+    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
+  }
+  return Norm(high - low);
+}
+
 } // namespace lamina

@@ -19,4 +19,7 @@ struct Piece
 /// of a hundredth of `extent` (the size of all). So small changes of size or place keep the order.
 std::vector<std::size_t> OrderPieces(const std::vector<Piece>& pieces, double extent);
 
+/// The diagonal of the points' box.
+double ExtentOf(const std::vector<Vec3>& points);
+
 } // namespace lamina
