@@ -5,10 +5,10 @@
  *
  * Input: see vtkMeshModelWriter.
  *
- * FileName is FOLDER/NAME.mesh.vtu: FOLDER gets NAME.mesh.vtu, NAME.exterior.vtp, walls_combined.vtp and
- * mesh-surfaces/<patch>.vtp with GlobalNodeID, GlobalElementID, ModelFaceID, ModelRegionID. With several
- * materials there is such a folder a material within FOLDER. Tetrahedra only. Source: SimVascular
- * documentation, meshing and svFSI guides.
+ * FileName is FOLDER/NAME.sv (or NAME.mesh.vtu): FOLDER gets NAME.mesh.vtu, NAME.exterior.vtp,
+ * walls_combined.vtp and mesh-surfaces/<patch>.vtp with GlobalNodeID, GlobalElementID, ModelFaceID,
+ * ModelRegionID. With several materials there is such a folder a material within FOLDER. Tetrahedra only.
+ * Source: SimVascular documentation, meshing and svFSI guides.
  *
  * @sa vtkMeshModelWriter vtkFluidSolidMesh vtkPrismsToTetrahedra
  */

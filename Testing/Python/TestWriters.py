@@ -215,6 +215,21 @@ def quadratic(folder, mesh):
     print("ok: quadratic", flush=True)
 
 
+def by_extension(folder, mesh, tets):
+    """Save Data finds the writers by the endings of names; ParaView's own formats keep theirs."""
+    place = os.path.join(folder, "saved")
+    os.mkdir(place)
+    for ending, name in (("inp", "AbaqusWriter"), ("msh", "GmshWriter"), ("k", "LSDynaWriter"), ("feb", "FEBioWriter"),
+                         ("bdf", "NastranWriter"), ("su2", "SU2Writer"), ("foam", "OpenFOAMWriter"), ("exo", "FluidSolidExodusWriter"),
+                         ("elem", "CARPWriter"), ("sv", "SimVascularWriter"), ("vtu", "XMLUnstructuredGridWriter")):
+        writer = simple.CreateWriter(os.path.join(place, "m." + ending), tets)
+        check(type(writer).__name__ == name, f".{ending} is saved by {type(writer).__name__}, not {name}")
+        simple.Delete(writer)
+    simple.SaveData(os.path.join(place, "mesh-complete.sv"), proxy=tets)
+    check(os.path.isfile(os.path.join(place, "blood", "mesh-complete.mesh.vtu")), f"saved as .sv: {os.listdir(place)}")
+    print("ok: Save Data", flush=True)
+
+
 def bad_input(folder, mesh):
     for name in ("CARP", "SimVascular"):
         ok, errors, _ = write(name, mesh, os.path.join(folder, "bad.elem"))
@@ -288,6 +303,7 @@ def main():
         tets, tet_truth = formats.tetrahedra(mesh)
         check(set(tet_truth.sides) == set(truth.sides), "the patches of tetrahedra")
         with_tetrahedra(folder, tets, tet_truth)
+        by_extension(folder, mesh, tets)
         bad_input(folder, mesh)
         doubled(folder)
         confined(folder)
