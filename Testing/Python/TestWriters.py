@@ -16,6 +16,7 @@ from checkers import abaqus, carp, exodus, febio, foam, gmsh, lsdyna, nastran, s
 from paraview import simple
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkFieldData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 PRISMS = {
@@ -230,6 +231,30 @@ def by_extension(folder, mesh, tets):
     print("ok: Save Data", flush=True)
 
 
+def empty_sets(folder, mesh):
+    """A patch without faces: formats that have no empty sets leave it out and say so; no file breaks."""
+    grid = mesh.GetClientSideObject().GetOutputDataObject(0).NewInstance()
+    grid.ShallowCopy(mesh.GetClientSideObject().GetOutputDataObject(0))
+    field = vtkFieldData()
+    field.DeepCopy(grid.GetFieldData())
+    field.GetAbstractArray("PatchNames").InsertNextValue("nothing")
+    field.GetArray("PatchKinds").InsertNextTuple1(1)
+    field.GetArray("PatchMaterials").InsertNextTuple2(1, 0)
+    grid.SetFieldData(field)
+    source = simple.PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(grid)
+    for name, (file, read, _) in PRISMS.items():
+        place = os.path.join(folder, "empty", name)
+        os.makedirs(place)
+        path = os.path.join(place, file)
+        ok, errors, warnings = write(name, source, path)
+        check(ok and not errors, f"{name} with an empty set: {errors}")
+        check(("no empty sets" in warnings) == (name in ("Abaqus", "LSDyna")), f"{name} with an empty set: {warnings}")
+        model = read(path)
+        check(not model.side_sets.get("nothing"), f"{name}: the empty set has sides")
+    print("ok: empty sets", flush=True)
+
+
 def bad_input(folder, mesh):
     for name in ("CARP", "SimVascular"):
         ok, errors, _ = write(name, mesh, os.path.join(folder, "bad.elem"))
@@ -304,6 +329,7 @@ def main():
         check(set(tet_truth.sides) == set(truth.sides), "the patches of tetrahedra")
         with_tetrahedra(folder, tets, tet_truth)
         by_extension(folder, mesh, tets)
+        empty_sets(folder, mesh)
         bad_input(folder, mesh)
         doubled(folder)
         confined(folder)

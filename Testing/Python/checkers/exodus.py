@@ -36,12 +36,18 @@ def read(path):
         order = v["elem_num_map"][:].astype(int)
         demand(sorted(order) == list(range(1, len(elements) + 1)), "the elements' map")
         model.cells = elements
+        for kind, variable in (("ss", "elem_ss"), ("ns", "node_ns")):
+            filled = [variable + str(i) in v for i in range(1, len(v[kind + "_status"][:]) + 1)]
+            demand(filled == [bool(x) for x in v[kind + "_status"][:]], f"the status of {kind} tells which sets are empty")
         for s, name in enumerate(texts(v["ss_names"]), 1):
             sides = []
+            if f"elem_ss{s}" not in v:
+                model.side_sets[name] = sides
+                continue
             for element, side in zip(v[f"elem_ss{s}"][:], v[f"side_ss{s}"][:]):
                 nodes = elements[int(element) - 1][1]
                 sides.append(tuple(nodes[k - 1] for k in SIDES[len(nodes)][int(side) - 1]))
             model.side_sets[name] = sides
         for s, name in enumerate(texts(v["ns_names"]), 1):
-            model.node_sets[name] = {int(n) - 1 for n in v[f"node_ns{s}"][:]}
+            model.node_sets[name] = {int(n) - 1 for n in v[f"node_ns{s}"][:]} if f"node_ns{s}" in v else set()
     return model
