@@ -247,7 +247,29 @@ def command(root):
         print("ok: lamina-audit", flush=True)
 
 
+def stable():
+    """The same patches under another mesh size: names, kinds, and where they are."""
+    found = []
+    for layers in (2, 4):
+        stages = tiny.pipeline(tiny.open_tube(), True)
+        stages["sized"].Layers = layers
+        stages["mesh"].UpdatePipeline()
+        algorithm = stages["mesh"].GetClientSideObject()
+        table = algorithm.GetOutputDataObject(2)
+        rows = {table.GetValueByName(r, "Name").ToString():
+                [table.GetValueByName(r, name).ToDouble() for name in ("X", "Y", "Z", "Area")] for r in range(table.GetNumberOfRows())}
+        found.append((algorithm.GetOutputDataObject(0).GetNumberOfCells(), rows))
+    (coarse, first), (fine, second) = found
+    check(fine > 1.5 * coarse, f"two mesh sizes: {coarse} and {fine} cells")
+    check(list(first) == list(second) and len(first) == 6, f"{list(first)} and {list(second)}")
+    for name in first:
+        a, b = np.array(first[name]), np.array(second[name])
+        check(np.abs(a[:3] - b[:3]).max() < 0.5 and abs(a[3] / b[3] - 1) < 0.1, f"{name} is at {a} and {b}")
+    print("ok: the same patches in", coarse, "and", fine, "cells:", ", ".join(first), flush=True)
+
+
 def main():
+    stable()
     if len(sys.argv) > 1:
         command(sys.argv[1])
     image = tiny.open_tube()
