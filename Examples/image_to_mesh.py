@@ -80,6 +80,16 @@ def borders(text):
     return words
 
 
+def formats(text):
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    from lamina_export import FORMATS
+    words = [word for word in text.lower().split(",") if word]
+    for word in words:
+        if word not in FORMATS:
+            raise argparse.ArgumentTypeError(f"'{word}' is not a format: say one or more of {', '.join(FORMATS)}")
+    return words
+
+
 def parse(arguments):
     positive = real(0, False, "it must be positive")
     p = Parser(prog="mesh.sh", description="From one 3-D image to one fluid-solid mesh.", allow_abbrev=False)
@@ -101,6 +111,10 @@ def parse(arguments):
     p.add_argument("--smoothing-sweeps", type=whole(0), default=20, help="sweeps of smoothing (20)")
     p.add_argument("--scale", type=positive, default=1.0, help="factor on the coordinates of surface and mesh (1)")
     p.add_argument("--open-border", type=borders, default=[], metavar="image,mask", help="where fluids stay open")
+    p.add_argument("--unit", default="", help="unit of length after --scale, for the files' heads (mm)")
+    p.add_argument("--names", default="", metavar="LIST", help="such as \"1=tissue; 2=blood; wall_tissue_1=epicardium\"")
+    p.add_argument("--doubled-nodes", action="store_true", help="fluid and solid with coincident nodes of their own")
+    p.add_argument("--export", type=formats, default=[], metavar="NAME,...", help="formats of solvers, beside mesh.vtu")
     p.add_argument("--pictures", action="store_true", help="PNG pictures beside the results")
     p.add_argument("--threads", type=whole(1), help="threads (all cores)")
     options = p.parse_args(arguments)

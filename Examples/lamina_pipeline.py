@@ -152,7 +152,7 @@ class Pipeline:
         solid, fluid = self.choose(labels, options)
         surface = self.make_surface(labels, mask, fluid, options)
         mesh = self.fill(surface, solid, fluid, options)
-        audit = simple.MeshAudit(Input=mesh, Surface=surface, SurfaceScale=options.scale)
+        audit = simple.MeshAudit(Input=mesh, Surface=surface, Image=producer(labels), SurfaceScale=options.scale)
         grid = self.run_stage("Mesh Audit", audit)
         self.results.finish(labels, output_of(surface), grid, solid, fluid)
 
@@ -233,7 +233,9 @@ class Pipeline:
             core = simple.CoreTetrahedra(Input=simple.OutputPort(prisms, 1))
             self.run_stage("Core Tetrahedra", core)
             parts += [prisms, core]
-        mesh = simple.FluidSolidMesh(Input=parts, Scale=options.scale)
+        mesh = simple.FluidSolidMesh(Input=parts, Surface=surface, Scale=options.scale, Unit=options.unit, Names=options.names,
+                                     InterfaceNodes="Doubled" if options.doubled_nodes else "Shared",
+                                     FluidMaterials=fluid or [2])
         self.run_stage("Fluid-Solid Mesh", mesh)
         return mesh
 

@@ -2,6 +2,7 @@
 """What image_to_mesh.py leaves behind: the files under their final names, and the report."""
 import json
 import os
+import shutil
 import subprocess
 
 import numpy as np
@@ -27,6 +28,9 @@ class Results:
         self.pipeline.write(scaled(surface, self.options.scale), "surface.vtp")
         self.pipeline.write(mesh, "mesh.vtu")
         self.pipeline.end()
+        if passed and self.options.export:
+            from lamina_export import export
+            export(self.pipeline, mesh, self.options.export)
         drawn = self.draw() if passed and self.options.pictures else True
         report["stages"] = self.pipeline.stages
         self.write_json(report)
@@ -76,7 +80,10 @@ class Results:
         names = sorted(os.listdir(self.pipeline.scratch))
         try:
             for name in names:
-                os.replace(os.path.join(self.pipeline.scratch, name), os.path.join(self.options.output, prefix + name))
+                target = os.path.join(self.options.output, prefix + name)
+                if os.path.isdir(target):  # of an earlier run: a folder cannot be replaced in one step
+                    shutil.rmtree(target)
+                os.replace(os.path.join(self.pipeline.scratch, name), target)
         except OSError as error:
             raise Failed("Writing", f"{self.options.output}: {error.strerror}") from None
         return names

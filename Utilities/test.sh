@@ -6,7 +6,10 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 label="-L quick"
 case ${1:-} in
   "") ;;
-  --all) label="" ;;
+  --all)
+    label=""
+    "$root/Utilities/install-dependencies.sh" --all
+    ;;
   *)
     echo "usage: Utilities/test.sh [--all]" >&2
     exit 2

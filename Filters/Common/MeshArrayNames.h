@@ -41,9 +41,17 @@ constexpr const char* InterfaceNodeIds = "InterfaceNodeIds";
 constexpr const char* MeshQuality = "MeshQuality";
 constexpr const char* MeshingFlags = "MeshingFlags";
 constexpr const char* GlobalNodeIds = "GlobalNodeIds";
+constexpr const char* TwinNodeIds = "TwinNodeIds";
 
 // Field data.
 constexpr const char* PatchNames = "PatchNames";
+constexpr const char* PatchKinds = "PatchKinds";
+constexpr const char* PatchMaterials = "PatchMaterials";
+constexpr const char* PatchFaces = "PatchFaces";
+constexpr const char* PatchedCells = "PatchedCells";
+constexpr const char* NamedMaterials = "NamedMaterials";
+constexpr const char* LengthUnit = "LengthUnit";
+constexpr const char* LengthScale = "LengthScale";
 constexpr const char* MaterialNames = "MaterialNames";
 constexpr const char* MaterialVolumes = "MaterialVolumes";
 constexpr const char* MaterialComponents = "MaterialComponents";

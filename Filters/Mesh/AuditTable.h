@@ -2,9 +2,9 @@
 // An audit's report as JSON, and as a table with a row for each figure or finding.
 #pragma once
 
+#include "GridAudit.h"
 #include "Report.h"
 
-#include "Mesh/Audit.h"
 #include "Surface/AuditSurface.h"
 
 class vtkTable;
@@ -12,10 +12,10 @@ class vtkTable;
 namespace lamina
 {
 
-Report DescribeAudit(const AuditReport& report);
+Report DescribeAudit(const GridAudit& audit);
 Report DescribeAudit(const SurfaceAuditReport& report);
 
-void FillTable(const AuditReport& report, vtkTable* table);
+void FillTable(const GridAudit& audit, vtkTable* table);
 void FillTable(const SurfaceAuditReport& report, vtkTable* table);
 
 } // namespace lamina

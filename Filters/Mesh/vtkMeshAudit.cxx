@@ -4,20 +4,24 @@
 #include "AlgorithmMonitor.h"
 #include "Arrays.h"
 #include "AuditTable.h"
+#include "GridAudit.h"
 #include "GridBridge.h"
+#include "ImageBridge.h"
 #include "MeshArrayNames.h"
+#include "PatchBridge.h"
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
-#include "Mesh/Audit.h"
 #include "Surface/AuditSurface.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -25,9 +29,26 @@
 
 vtkStandardNewMacro(vtkMeshAudit);
 
+namespace
+{
+
+/// The image's materials; without voxels if there is no image.
+lamina::Result<lamina::LabelImage> ReadImage(vtkImageData* image)
+{
+  if (lamina::IsEmpty(image))
+  {
+    return lamina::LabelImage{};
+  }
+  const auto scalars = lamina::FindScalars(image, lamina::names::MaterialIds, "Multimaterial Segmentation");
+  return scalars ? lamina::ReadLabels(image, *scalars)
+                 : lamina::Result<lamina::LabelImage>(scalars.GetError());
+}
+
+} // namespace
+
 vtkMeshAudit::vtkMeshAudit()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -39,7 +60,7 @@ int vtkMeshAudit::FillInputPortInformation(int port, vtkInformation* info)
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     return 1;
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkPolyData" : "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -84,13 +105,14 @@ int vtkMeshAudit::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
   output->ShallowCopy(input);
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(input))
   {
-    return this->AuditGrid(grid, vtkPolyData::GetData(inputs[1]), output, table);
+    return this->AuditGrid(grid, vtkPolyData::GetData(inputs[1]), vtkImageData::GetData(inputs[2]), output,
+                           table);
   }
   return this->AuditSurface(vtkPolyData::SafeDownCast(input), output, table);
 }
 
-int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkDataSet* output,
-                            vtkTable* table)
+int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkImageData* image,
+                            vtkDataSet* output, vtkTable* table)
 {
   lamina::AlgorithmMonitor monitor(this);
   const auto work = [&]() -> lamina::Status
@@ -111,22 +133,40 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
       }
       interfaces = std::move(*read);
     }
-    const lamina::AuditOptions options{ this->QualityGate, this->VolumeTolerance, this->OverlapSamples,
-                                        this->SurfaceScale };
-    lamina::AuditMarks marks;
-    const auto report =
-      lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
-    if (!report)
+    const auto labels = ReadImage(image);
+    if (!labels)
     {
-      return report.GetError();
+      return lamina::InvalidInput("image: " + labels.GetError().message);
     }
-    lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::MeshQuality, marks.quality);
-    lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags,
-                                              marks.flags);
-    lamina::FillTable(*report, table);
-    this->Passed = report->Passed();
-    this->ReportText = lamina::DescribeAudit(*report).Json();
-    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*report));
+    auto twins = lamina::ReadValues<lamina::Id>(input->GetPointData(), lamina::names::TwinNodeIds,
+                                                input->GetNumberOfPoints(), 1, "points");
+    if (!twins)
+    {
+      return twins.GetError();
+    }
+    lamina::MeshPatches patches;
+    const bool hasPatches = lamina::ReadRawPatches(input, patches);
+    lamina::AuditOptions options;
+    options.qualityGate = this->QualityGate;
+    options.volumeTolerance = this->VolumeTolerance;
+    options.overlapSamples = this->OverlapSamples;
+    options.surfaceScale = this->SurfaceScale;
+    options.twins = std::move(*twins);
+    const lamina::GridAuditInput all{ &*mesh, withSurface ? &interfaces : nullptr,
+                                      labels->labels.empty() ? nullptr : &*labels,
+                                      hasPatches ? &patches : nullptr };
+    const auto audit = lamina::AuditWholeGrid(all, options, monitor);
+    if (!audit)
+    {
+      return audit.GetError();
+    }
+    vtkCellData* cells = output->GetCellData();
+    lamina::SetOrRemove<vtkDoubleArray>(cells, lamina::names::MeshQuality, audit->marks.quality);
+    lamina::SetOrRemove<vtkUnsignedCharArray>(cells, lamina::names::MeshingFlags, audit->marks.flags);
+    lamina::FillTable(*audit, table);
+    this->Passed = audit->report.Passed();
+    this->ReportText = lamina::DescribeAudit(*audit).Json();
+    lamina::AttachReport(output, "MeshAudit", lamina::DescribeAudit(*audit));
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);

@@ -6,7 +6,8 @@
  * Input, port 0: vtkUnstructuredGrid of tetrahedra, wedges and pyramids (MaterialIds on the cells; without
  * them all cells count as material 1), or vtkPolyData of triangles (BoundaryLabels, or a closed surface).
  * Port 1, optional: the vtkPolyData that a grid was made from, with which interfaces and enclosed volumes are
- * tested too.
+ * tested too. Port 2, optional: the vtkImageData with MaterialIds, with whose voxels volumes and interfaces
+ * are compared; SurfaceScale holds for it too.
  *
  * Output, port 0: the input with MeshQuality (double; tetrahedra: 3 r/R, prisms: scaled aspect ratio; grids
  * only) and MeshingFlags (unsigned char: 1 inverted, 2 bad quality, 4 not conforming, 8 overlap) on its
@@ -14,9 +15,10 @@
  * Text.
  *
  * Grids: conformity of faces, orientation by exact predicates and Bernstein coefficients, overlap by random
- * sample points of a fixed seed, volumes of the isoparametric cells against those enclosed, quality.
- * Surfaces: closed, manifold orientation of each material, no intersections (exact), points used once,
- * triangles with an area.
+ * sample points of a fixed seed, volumes of the isoparametric cells against those enclosed, quality, gaps and
+ * hanging nodes, cells that occur twice, twins of doubled nodes (TwinNodeIds), and the patches of the field
+ * data: complete, closed, in order and what their names say. Surfaces: closed, manifold orientation of each
+ * material, no intersections (exact), points used once, triangles with an area.
  *
  * The result does not depend on the number of threads. An audit that finds something wrong still succeeds:
  * see GetPassed.
@@ -35,6 +37,7 @@
 #include <string> // For the report
 
 class vtkDataSet;
+class vtkImageData;
 class vtkPolyData;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -102,7 +105,8 @@ private:
   void operator=(const vtkMeshAudit&) = delete;
 
   /// Run the audit of one kind of input, put the flags on `output` and keep verdict and text.
-  int AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkDataSet* output, vtkTable* table);
+  int AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vtkImageData* image, vtkDataSet* output,
+                vtkTable* table);
   int AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable* table);
 
   double QualityGate = 0.1;

@@ -101,6 +101,8 @@ def table(folder):
         ("both", [labels, "--labels", "--solid", "1", "--fluid", "1"], ["both"]),
         ("border", [good, "--open-border", "sky"], ["sky"]),
         ("border without mask", [good, "--open-border", "mask"], ["--mask"]),
+        ("unknown format", [good, "--export", "abaqus,stl"], ["'stl' is not a format", "openfoam"]),
+        ("names", [good, "--names", "1tissue"], ["1tissue", "not understood"]),
         ("unknown option", [good, "--frobnicate"], ["--frobnicate"]),
     ]
 

@@ -27,18 +27,35 @@ def nested_spheres(edge=24):
     return image
 
 
-def pipeline():
+def open_tube(edge=20):
+    """A tube of blood (2) in tissue (1) that leaves the image at both ends."""
+    axis = numpy.arange(edge) - 0.5 * (edge - 1)
+    _, y, x = numpy.meshgrid(numpy.arange(12), axis, axis, indexing="ij")
+    radius = numpy.sqrt(x * x + y * y)
+    labels = numpy.where(radius < 4.6, 2, numpy.where(radius < 8.6, 1, 0)).astype(numpy.int32)
+    image = vtkImageData()
+    image.SetDimensions(edge, edge, 12)
+    array = numpy_to_vtk(labels.ravel(), deep=True)
+    array.SetName("MaterialIds")
+    image.GetPointData().SetScalars(array)
+    return image
+
+
+def pipeline(image=None, is_open=False):
     """The stages from the image of materials to the audit, by name; not updated yet."""
     source = simple.TrivialProducer()
-    source.GetClientSideObject().SetOutput(nested_spheres())
+    source.GetClientSideObject().SetOutput(image or nested_spheres())
     stages = {}
     stages["surface"] = simple.MultimaterialMarchingCubes(Input=source)
+    if is_open:
+        stages["surface"].OpenMaterials = [2]
+        stages["surface"].OpenAtImageBorder = 1
     stages["smooth"] = simple.VolumeConservingSmoothing(Input=stages["surface"])
     stages["sized"] = simple.FeatureSize(Input=stages["smooth"], Layers=2)
     stages["refined"] = simple.SurfaceRefinement(Input=stages["sized"])
     stages["solid"] = simple.LayeredTetrahedra(Input=stages["refined"], Layers=2)
     stages["prisms"] = simple.PrismLayer(Input=stages["refined"], Layers=3)
     stages["core"] = simple.CoreTetrahedra(Input=servermanager.OutputPort(stages["prisms"], 1))
-    stages["mesh"] = simple.FluidSolidMesh(Input=[stages["solid"], stages["prisms"], stages["core"]])
+    stages["mesh"] = simple.FluidSolidMesh(Input=[stages["solid"], stages["prisms"], stages["core"]], Surface=stages["refined"])
     stages["audit"] = simple.MeshAudit(Input=stages["mesh"], Surface=stages["refined"])
     return stages

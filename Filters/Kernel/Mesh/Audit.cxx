@@ -78,7 +78,14 @@ std::optional<Error> CheckMesh(const VolumeMesh& mesh)
   return std::nullopt;
 }
 
-void AuditPoints(const VolumeMesh& mesh, AuditReport& report)
+/// The node that stands for p: the lower of it and its twin.
+Id Standing(const std::vector<Id>& twins, Id p)
+{
+  const Id twin = twins.empty() ? -1 : twins[Index(p)];
+  return twin >= 0 && twin < p ? twin : p;
+}
+
+void AuditPoints(const VolumeMesh& mesh, const std::vector<Id>& twins, AuditReport& report)
 {
   PointTable table(mesh.points.size());
   std::vector<char> used(mesh.points.size(), 0);
@@ -90,6 +97,10 @@ void AuditPoints(const VolumeMesh& mesh, AuditReport& report)
   Places unused;
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
+    if (Standing(twins, static_cast<Id>(p)) != static_cast<Id>(p))
+    {
+      continue;
+    }
     const std::size_t before = table.GetPoints().size();
     if (Index(table.Insert(mesh.points[p])) != before)
     {
@@ -163,29 +174,67 @@ void AuditVolumes(const TriangleComplex& surface, const AuditOptions& options, A
 
 } // namespace
 
-Result<AuditReport> AuditMesh(const VolumeMesh& mesh, const TriangleComplex* surface,
+VolumeMesh MergeTwins(const VolumeMesh& mesh, const std::vector<Id>& twins, std::vector<Vec3>& mismatches)
+{
+  VolumeMesh merged = mesh;
+  for (std::size_t p = 0; p < twins.size(); ++p)
+  {
+    const Id twin = twins[p];
+    const bool isThere = twin >= 0 && twin < static_cast<Id>(twins.size());
+    if (twin >= 0 && (!isThere || twins[Index(twin)] != static_cast<Id>(p) ||
+                      !(mesh.points[p] == mesh.points[Index(twin)])))
+    {
+      mismatches.push_back(mesh.points[p]);
+    }
+  }
+  for (Id& p : merged.connectivity)
+  {
+    const Id standing = Standing(twins, p);
+    p = mesh.points[Index(standing)] == mesh.points[Index(p)] ? standing : p;
+  }
+  return merged;
+}
+
+Result<AuditReport> AuditMesh(const VolumeMesh& given, const TriangleComplex* surface,
                               const AuditOptions& options, AuditMarks& marks, Monitor& monitor)
 {
   if (auto error = CheckOptions(options))
   {
     return *error;
   }
-  if (auto error = CheckMesh(mesh))
+  if (auto error = CheckMesh(given))
   {
     return *error;
+  }
+  if (!options.twins.empty() && options.twins.size() != given.points.size())
+  {
+    return InvalidInput("there are " + std::to_string(options.twins.size()) + " twins for " +
+                        std::to_string(given.points.size()) + " points");
   }
   if (auto error = surface != nullptr ? CheckArrays(*surface) : std::nullopt)
   {
     return *error;
   }
   AuditReport report;
+  std::vector<Vec3> apart;
+  const VolumeMesh merged = options.twins.empty() ? VolumeMesh{} : MergeTwins(given, options.twins, apart);
+  Places twinPlaces;
+  for (const Vec3& place : apart)
+  {
+    twinPlaces.Add(place);
+  }
+  report.twinMismatches = twinPlaces.GetCount();
+  twinPlaces.Tell("twin nodes of an interface are not each other's, or not in the same place",
+                  report.findings);
+  const VolumeMesh& mesh = options.twins.empty() ? given : merged;
   report.points = static_cast<Id>(mesh.points.size());
   report.cells = mesh.CellCount();
   marks.quality.assign(mesh.types.size(), 0);
   marks.flags.assign(mesh.types.size(), 0);
+  marks.boundary.clear();
   monitor.Progress(0, "Measuring the cells");
   AuditCells(mesh, options, report, marks, monitor);
-  AuditPoints(mesh, report);
+  AuditPoints(mesh, options.twins, report);
   if (monitor.Cancelled())
   {
     return Cancelled();

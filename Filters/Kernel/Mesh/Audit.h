@@ -4,8 +4,11 @@
 
 #include "../Base/Monitor.h"
 #include "../Base/Result.h"
+#include "CellFaces.h"
 #include "TriangleComplex.h"
 #include "VolumeMesh.h"
+
+#include <map>
 
 namespace lamina
 {
@@ -16,6 +19,9 @@ struct AuditOptions
   double volumeTolerance = 1e-9; ///< relative difference allowed between cells and enclosed volume
   Id overlapSamples = 2000;      ///< random points tested for lying in exactly one cell
   double surfaceScale = 1;       ///< factor on `surface`'s coordinates to match the mesh
+  /// One a point: the coincident node on the other side of an interface, -1 for none. Empty: nodes are
+  /// shared.
+  std::vector<Id> twins;
 };
 
 /// Bits of MeshingFlags set by the audit on cells.
@@ -25,6 +31,26 @@ enum AuditFlag : unsigned char
   FlagBadQuality = 2,
   FlagNonConforming = 4,
   FlagOverlap = 8
+};
+
+/// Quality of the cells of one type: tets 3r/R, wedges scaled aspect ratio, pyramids of their worst half.
+struct QualityAudit
+{
+  CellType type = CellType::Tetrahedron;
+  Id count = 0;
+  double least = 1;
+  std::array<double, 5> percentiles{ { 1, 1, 1, 1, 1 } }; ///< 1, 5, 25, 50, 95
+  std::array<Id, 20> histogram{}; ///< of [0, 1] in steps of 0.05; below 0 counts in the first
+};
+
+/// A cell to look at.
+struct WorstCell
+{
+  Id cell = -1;
+  CellType type = CellType::Tetrahedron;
+  int material = 0;
+  double quality = 1;
+  Vec3 place; ///< its middle
 };
 
 struct MaterialAudit
@@ -43,6 +69,8 @@ struct MaterialAudit
   double wedgeQualityMin = 1; ///< scaled aspect ratio
   double wedgeQualityP1 = 1;
   double wedgeQualityP50 = 1;
+  std::vector<QualityAudit> qualities; ///< one a type that occurs
+  std::map<int, Id> cellsOfLayer;      ///< by LayerIds, 0 the core
 };
 
 struct AuditReport
@@ -52,7 +80,9 @@ struct AuditReport
   Id invertedCells = 0;
   Id facesOfManyCells = 0; ///< interior faces shared by more than two cells
   Id mismatchedFaces = 0;  ///< quads that meet triangles
+  Id duplicateCells = 0;   ///< with the nodes of another
   Id duplicatePoints = 0;
+  Id twinMismatches = 0; ///< twins that do not lie in the same place, or are not each other's
   Id unusedPoints = 0;
   Id openFaces = 0; ///< boundary faces that are not triangles of the surface (needs the surface)
   Id strayInterfaces =
@@ -64,6 +94,9 @@ struct AuditReport
   Id overlaps = 0;       ///< sample points in more than one cell, or in none where the surface says inside
   double largestVolumeError = 0; ///< relative
   std::vector<MaterialAudit> materials;
+  std::vector<WorstCell> worst; ///< the ten of the least quality of each type
+  std::map<int, Id>
+    stackHeights; ///< prisms above a wall triangle -> number of such triangles: layers achieved
   std::vector<std::string> findings; ///< a sentence for each thing wrong, with the first places
   bool Passed() const { return this->findings.empty(); }
 };
@@ -73,10 +106,16 @@ struct AuditMarks
 {
   std::vector<double> quality;      ///< MeshQuality
   std::vector<unsigned char> flags; ///< MeshingFlags
+  std::vector<CellFace> boundary;   ///< faces of one cell only
+  CellFaces faces;                  ///< all, for who goes on from here
 };
 
 /// Audit `mesh`; with `surface` (may be null) also interfaces and enclosed volumes.
 Result<AuditReport> AuditMesh(const VolumeMesh& mesh, const TriangleComplex* surface,
                               const AuditOptions& options, AuditMarks& marks, Monitor& monitor);
+
+/// The mesh as if twins were one node: the lower id stands for both where they lie in one place, bit for bit.
+/// `mismatches` gets the places where they do not, or are not each other's.
+VolumeMesh MergeTwins(const VolumeMesh& mesh, const std::vector<Id>& twins, std::vector<Vec3>& mismatches);
 
 } // namespace lamina

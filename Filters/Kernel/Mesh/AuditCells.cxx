@@ -79,6 +79,71 @@ std::array<double, 3> Percentiles(std::vector<double>& values)
   return { { *std::min_element(values.begin(), values.end()), at(0.01), at(0.5) } };
 }
 
+QualityAudit Summarize(CellType type, std::vector<double>& values)
+{
+  QualityAudit audit;
+  audit.type = type;
+  audit.count = static_cast<Id>(values.size());
+  for (double q : values)
+  {
+    const double step = std::clamp(20 * q, 0.0, 19.0);
+    ++audit.histogram[static_cast<std::size_t>(step)];
+  }
+  const std::array<double, 5> shares{ { 0.01, 0.05, 0.25, 0.5, 0.95 } };
+  for (std::size_t k = 0; k < shares.size(); ++k)
+  {
+    const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(shares[k] * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    audit.percentiles[k] = *place;
+  }
+  audit.least = *std::min_element(values.begin(), values.end());
+  return audit;
+}
+
+Vec3 MiddleOf(const VolumeMesh& mesh, Id cell)
+{
+  const int n = NodeCount(mesh.types[Index(cell)]);
+  Vec3 sum;
+  for (int k = 0; k < n; ++k)
+  {
+    sum += mesh.points[Index(mesh.Cell(cell)[k])];
+  }
+  return sum * (1.0 / n);
+}
+
+/// The ten cells of the least quality of each type; equal ones in the order of their ids.
+std::vector<WorstCell> FindWorst(const VolumeMesh& mesh, const std::vector<double>& quality)
+{
+  constexpr std::size_t most = 10;
+  std::map<CellType, std::vector<std::pair<double, Id>>> worst;
+  for (Id c = 0; c < mesh.CellCount(); ++c)
+  {
+    auto& heap = worst[mesh.types[Index(c)]]; // its largest first
+    const std::pair<double, Id> entry(quality[Index(c)], c);
+    if (heap.size() < most || entry < heap.front())
+    {
+      heap.push_back(entry);
+      std::push_heap(heap.begin(), heap.end());
+      if (heap.size() > most)
+      {
+        std::pop_heap(heap.begin(), heap.end());
+        heap.pop_back();
+      }
+    }
+  }
+  std::vector<WorstCell> cells;
+  for (auto& [type, heap] : worst)
+  {
+    std::sort_heap(heap.begin(), heap.end());
+    for (const auto& [q, c] : heap)
+    {
+      cells.push_back({ c, type, mesh.materials[Index(c)], q, MiddleOf(mesh, c) });
+    }
+  }
+  return cells;
+}
+
 /// What is gathered of one material before it becomes its MaterialAudit.
 struct Gathered
 {
@@ -86,6 +151,7 @@ struct Gathered
   long double volume = 0;
   std::vector<double> tets;
   std::vector<double> wedges;
+  std::vector<double> pyramids;
 };
 
 MaterialAudit Close(Gathered& g, double gate)
@@ -103,6 +169,16 @@ MaterialAudit Close(Gathered& g, double gate)
   a.wedgeQualityMin = wedges[0];
   a.wedgeQualityP1 = wedges[1];
   a.wedgeQualityP50 = wedges[2];
+  const std::pair<CellType, std::vector<double>*> all[] = { { CellType::Tetrahedron, &g.tets },
+                                                            { CellType::Wedge, &g.wedges },
+                                                            { CellType::Pyramid, &g.pyramids } };
+  for (const auto& [type, values] : all)
+  {
+    if (!values->empty())
+    {
+      a.qualities.push_back(Summarize(type, *values));
+    }
+  }
   return a;
 }
 
@@ -145,6 +221,11 @@ void AuditCells(const VolumeMesh& mesh, const AuditOptions& options, AuditReport
     {
       g.wedges.push_back(marks.quality[Index(c)]);
     }
+    else
+    {
+      g.pyramids.push_back(marks.quality[Index(c)]);
+    }
+    ++g.audit.cellsOfLayer[mesh.layers.empty() ? 0 : mesh.layers[Index(c)]];
     if ((marks.flags[Index(c)] & FlagInverted) != 0)
     {
       inverted.Add(mesh.points[Index(mesh.Cell(c)[0])]);
@@ -154,6 +235,7 @@ void AuditCells(const VolumeMesh& mesh, const AuditOptions& options, AuditReport
   {
     report.materials.push_back(Close(entry.second, options.qualityGate));
   }
+  report.worst = FindWorst(mesh, marks.quality);
   report.invertedCells = inverted.GetCount();
   inverted.Tell("cells are inverted or without volume somewhere", report.findings);
 }

@@ -62,7 +62,9 @@ public:
     this->WalkGroups();
     this->FindMismatches();
     this->CountComponents();
+    this->CountStacks();
     this->Tell();
+    this->Marks.faces = std::move(this->Faces);
   }
 
 private:
@@ -164,6 +166,7 @@ private:
       else if (this->GroupSize(g) > 2)
       {
         ++this->Report.facesOfManyCells;
+        this->FindDoubles(g);
         this->CrowdPlaces.Add(place);
         this->Flag(g);
       }
@@ -171,6 +174,7 @@ private:
       {
         // The same corners, but both cells on one side, or a quad by another order.
         ++this->Report.mismatchedFaces;
+        this->FindDoubles(g);
         this->MismatchPlaces.Add(place);
         this->Flag(g);
       }
@@ -188,6 +192,7 @@ private:
   void WalkBoundary(std::size_t g, Openings& openings)
   {
     const CellFace& face = *this->Group(g);
+    this->Marks.boundary.push_back(face);
     if (this->Surface == nullptr || this->OnSurface[g] == OnWall)
     {
       return; // also a wall that happens to lie in the plane of an opening
@@ -199,6 +204,71 @@ private:
       ++this->Report.openFaces;
       this->OpenPlaces.Add(CentreOf(this->Mesh, face));
       this->Flag(g);
+    }
+  }
+
+  /// Cells at a face that have the same nodes.
+  void FindDoubles(std::size_t g)
+  {
+    std::map<std::vector<Id>, Id> seen;
+    for (std::size_t i = 0; i < this->GroupSize(g); ++i)
+    {
+      const Id cell = this->Group(g)[i].cell;
+      const Id* first = this->Mesh.Cell(cell);
+      std::vector<Id> nodes(first, first + NodeCount(this->Mesh.types[Index(cell)]));
+      std::sort(nodes.begin(), nodes.end());
+      const auto [at, isNew] = seen.emplace(std::move(nodes), cell);
+      if (!isNew && this->Doubles.insert(std::max(cell, at->second)).second)
+      {
+        this->DoublePlaces.Add(CentreOf(this->Mesh, this->Group(g)[i]));
+      }
+    }
+  }
+
+  /// How many prisms stand on each triangle of a wall, from the first triangle of a prism of layer 1 on.
+  void CountStacks()
+  {
+    // The cells on both sides of each wedge's two triangles.
+    std::map<int, Id>& heights = this->Report.stackHeights;
+    std::vector<Id> above(this->Mesh.types.size(), -1); // the wedge at the second triangle of a wedge
+    std::vector<char> isFoot(this->Mesh.types.size(), 0);
+    const auto isWedge = [&](const CellFace& face)
+    { return this->Mesh.types[Index(face.cell)] == CellType::Wedge && !face.IsQuad(); };
+    const auto local = [&](const CellFace& face) { return LocalFace(this->Mesh, face); };
+    for (std::size_t g = 0; g < this->Faces.GroupCount(); ++g)
+    {
+      const CellFace* face = this->Group(g);
+      const std::size_t size = this->GroupSize(g);
+      for (std::size_t i = 0; i < std::min<std::size_t>(size, 2); ++i)
+      {
+        const CellFace* other = size == 2 ? face + (1 - i) : nullptr;
+        if (!isWedge(face[i]))
+        {
+          continue;
+        }
+        const bool isSame =
+          other != nullptr && isWedge(*other) && this->MaterialOf(*other) == this->MaterialOf(face[i]);
+        if (local(face[i]) == 0)
+        {
+          isFoot[Index(face[i].cell)] = !isSame;
+        }
+        else if (isSame && local(*other) == 0)
+        {
+          above[Index(face[i].cell)] = other->cell;
+        }
+      }
+    }
+    for (Id c = 0; c < this->Mesh.CellCount(); ++c)
+    {
+      int height = 0;
+      for (Id at = isFoot[Index(c)] != 0 ? c : -1; at >= 0; at = above[Index(at)])
+      {
+        ++height;
+      }
+      if (height > 0)
+      {
+        ++heights[height];
+      }
     }
   }
 
@@ -271,6 +341,8 @@ private:
   void Tell()
   {
     auto& findings = this->Report.findings;
+    this->Report.duplicateCells = this->DoublePlaces.GetCount();
+    this->DoublePlaces.Tell("cells are there twice: they have the nodes of another", findings);
     this->CrowdPlaces.Tell("faces belong to more than two cells", findings);
     this->MismatchPlaces.Tell("faces do not match: a quad meets triangles, or two cells lie on one side",
                               findings);
@@ -293,6 +365,8 @@ private:
   std::vector<int>
     OnSurface; ///< one a group of faces: off the surface, on a wall, or the patch of an opening
   std::set<int> Meshed;
+  std::set<Id> Doubles;
+  Places DoublePlaces;
   Places CrowdPlaces;
   Places MismatchPlaces;
   Places OpenPlaces;

@@ -29,33 +29,34 @@ constexpr Local PyramidLocal[] = { { { 0, 3, 2, 1 } },
                                    { { 2, 3, 4, -1 } },
                                    { { 3, 0, 4, -1 } } };
 
+struct LocalFaces
+{
+  const Local* faces;
+  int count;
+};
+
+LocalFaces FacesOf(CellType type)
+{
+  switch (type)
+  {
+    case CellType::Wedge:
+      return { WedgeLocal, 5 };
+    case CellType::Pyramid:
+      return { PyramidLocal, 5 };
+    default:
+      return { TetLocal, 4 };
+  }
+}
+
 template<typename Visit>
 void ForFaces(const VolumeMesh& mesh, Visit&& visit)
 {
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
-    const Id* nodes = mesh.Cell(c);
-    const auto add = [&](const Local& local)
+    const int count = FaceCount(mesh.types[static_cast<std::size_t>(c)]);
+    for (int local = 0; local < count; ++local)
     {
-      CellFace face;
-      face.cell = c;
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        face.corners[k] = local[k] < 0 ? -1 : nodes[local[k]];
-      }
-      visit(face);
-    };
-    switch (mesh.types[static_cast<std::size_t>(c)])
-    {
-      case CellType::Tetrahedron:
-        std::for_each(std::begin(TetLocal), std::end(TetLocal), add);
-        break;
-      case CellType::Wedge:
-        std::for_each(std::begin(WedgeLocal), std::end(WedgeLocal), add);
-        break;
-      case CellType::Pyramid:
-        std::for_each(std::begin(PyramidLocal), std::end(PyramidLocal), add);
-        break;
+      visit(FaceOf(mesh, c, local));
     }
   }
 }
@@ -110,6 +111,40 @@ void SortFaces(CellFace* begin, CellFace* end, std::vector<KeyedFace>& keyed)
 }
 
 } // namespace
+
+int FaceCount(CellType type)
+{
+  return FacesOf(type).count;
+}
+
+const std::array<int, 4>& FaceNodes(CellType type, int local)
+{
+  return FacesOf(type).faces[local];
+}
+
+CellFace FaceOf(const VolumeMesh& mesh, Id cell, int local)
+{
+  const Id* nodes = mesh.Cell(cell);
+  const Local& corners = FaceNodes(mesh.types[static_cast<std::size_t>(cell)], local);
+  CellFace face;
+  face.cell = cell;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    face.corners[k] = corners[k] < 0 ? -1 : nodes[corners[k]];
+  }
+  return face;
+}
+
+int LocalFace(const VolumeMesh& mesh, const CellFace& face)
+{
+  const int count = FaceCount(mesh.types[static_cast<std::size_t>(face.cell)]);
+  int local = 0;
+  while (local < count - 1 && FaceOf(mesh, face.cell, local).corners != face.corners)
+  {
+    ++local;
+  }
+  return local;
+}
 
 CellFaces FindCellFaces(const VolumeMesh& mesh, Monitor& monitor)
 {

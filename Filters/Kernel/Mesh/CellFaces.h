@@ -32,6 +32,16 @@ struct CellFaces
 
 CellFaces FindCellFaces(const VolumeMesh& mesh, Monitor& monitor);
 
+/// Faces of a cell: 4 of a tetrahedron (each opposite to its node of the same number), 5 of a wedge (the two
+/// triangles, then the quads) and of a pyramid (the base, then the triangles).
+int FaceCount(CellType type);
+/// Local nodes of face `local`, counter-clockwise seen from outside, the fourth -1 for a triangle.
+const std::array<int, 4>& FaceNodes(CellType type, int local);
+/// Face `local` of a cell.
+CellFace FaceOf(const VolumeMesh& mesh, Id cell, int local);
+/// The number of `face` among the faces of its cell.
+int LocalFace(const VolumeMesh& mesh, const CellFace& face);
+
 /// True if the faces, of the same corners, are one polygon seen from its two sides.
 bool AreOpposite(const CellFace& a, const CellFace& b);
 

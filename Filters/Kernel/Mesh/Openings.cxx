@@ -64,11 +64,12 @@ Openings::Openings(const TriangleComplex* surface, double scale)
   }
 }
 
-bool Openings::Add(const VolumeMesh& mesh, const CellFace& face, int patch)
+int Openings::Locate(const VolumeMesh& mesh, const CellFace& face, int patch, Vec3& area) const
 {
   const std::size_t n = face.IsQuad() ? 4 : 3;
-  for (Opening& opening : this->All)
+  for (std::size_t o = 0; o < this->All.size(); ++o)
   {
+    const Opening& opening = this->All[o];
     const Vec3 normal = Normalized(opening.area);
     const double near = Tolerance * opening.extent;
     bool isIn = mesh.materials[static_cast<std::size_t>(face.cell)] == opening.material &&
@@ -87,15 +88,32 @@ bool Openings::Add(const VolumeMesh& mesh, const CellFace& face, int patch)
       continue;
     }
     const auto corner = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(face.corners[i])]; };
-    Vec3 area = VectorArea(corner(0), corner(1), corner(2));
+    area = VectorArea(corner(0), corner(1), corner(2));
     area += n == 4 ? VectorArea(corner(0), corner(2), corner(3)) : Vec3{};
     if (Dot(area, normal) > 0)
     {
-      opening.covered += area;
-      return true;
+      return static_cast<int>(o);
     }
   }
-  return false;
+  return -1;
+}
+
+bool Openings::Add(const VolumeMesh& mesh, const CellFace& face, int patch)
+{
+  Vec3 area;
+  const int at = this->Locate(mesh, face, patch, area);
+  if (at >= 0)
+  {
+    this->All[static_cast<std::size_t>(at)].covered += area;
+  }
+  return at >= 0;
+}
+
+int Openings::Find(const VolumeMesh& mesh, const CellFace& face, int patch) const
+{
+  Vec3 area;
+  const int at = this->Locate(mesh, face, patch, area);
+  return at >= 0 ? this->All[static_cast<std::size_t>(at)].patch : 0;
 }
 
 void Openings::Tell(std::vector<std::string>& findings) const

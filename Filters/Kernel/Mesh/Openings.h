@@ -20,6 +20,8 @@ public:
   /// True if the face lies in an opening's plane, within its box and facing as it does; its area is added
   /// there. With a patch other than 0 only that opening is asked.
   bool Add(const VolumeMesh& mesh, const CellFace& face, int patch);
+  /// The patch of the opening that the face lies in as Add asks it, 0 if it lies in none.
+  int Find(const VolumeMesh& mesh, const CellFace& face, int patch) const;
   /// A finding for each opening whose faces do not add up to its area.
   void Tell(std::vector<std::string>& findings) const;
 
@@ -35,6 +37,9 @@ private:
     Vec3 high;
     double extent = 0;
   };
+  /// The opening the face lies in, -1 for none, and the face's vector area.
+  int Locate(const VolumeMesh& mesh, const CellFace& face, int patch, Vec3& area) const;
+
   std::vector<Opening> All;
 };
 

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchBridge.h"
+
+#include "Arrays.h"
+#include "MeshArrayNames.h"
+
+#include "Mesh/CellFaces.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr int FaceParts = 5;
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+vtkSmartPointer<vtkStringArray> Strings(const char* name, const std::vector<std::string>& values)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
+/// The field data's arrays that hold the patches; null where one is missing or misshapen.
+struct PatchArrays
+{
+  vtkStringArray* names;
+  vtkDataArray* kinds;
+  vtkDataArray* pairs;
+  vtkDataArray* faces;
+  vtkDataArray* cells;
+  vtkStringArray* materials;
+  vtkDataArray* named;
+
+  explicit PatchArrays(vtkFieldData* field)
+    : names(vtkStringArray::SafeDownCast(field->GetAbstractArray(names::PatchNames)))
+    , kinds(field->GetArray(names::PatchKinds))
+    , pairs(field->GetArray(names::PatchMaterials))
+    , faces(field->GetArray(names::PatchFaces))
+    , cells(field->GetArray(names::PatchedCells))
+    , materials(vtkStringArray::SafeDownCast(field->GetAbstractArray(names::MaterialNames)))
+    , named(field->GetArray(names::NamedMaterials))
+  {
+  }
+  bool AreThere() const { return this->names && this->kinds && this->pairs && this->faces && this->cells; }
+  bool AreSound() const
+  {
+    const vtkIdType count = this->names->GetNumberOfValues();
+    return this->kinds->GetNumberOfTuples() == count && this->pairs->GetNumberOfTuples() == count &&
+           this->kinds->GetNumberOfComponents() == 1 && this->pairs->GetNumberOfComponents() == 2 &&
+           this->faces->GetNumberOfComponents() == FaceParts && this->cells->GetNumberOfTuples() == 1;
+  }
+};
+
+/// Patches and faces from sound arrays, untested.
+void TakeRows(const PatchArrays& arrays, MeshPatches& read)
+{
+  for (vtkIdType p = 0; p < arrays.names->GetNumberOfValues(); ++p)
+  {
+    MeshPatch patch;
+    patch.name = arrays.names->GetValue(p);
+    patch.kind = static_cast<PatchKind>(static_cast<int>(arrays.kinds->GetComponent(p, 0)));
+    patch.pair = { static_cast<int>(arrays.pairs->GetComponent(p, 0)),
+                   static_cast<int>(arrays.pairs->GetComponent(p, 1)) };
+    read.patches.push_back(patch);
+  }
+  for (vtkIdType f = 0; f < arrays.faces->GetNumberOfTuples(); ++f)
+  {
+    const auto part = [&](int k) { return static_cast<Id>(arrays.faces->GetComponent(f, k)); };
+    read.faces.push_back(
+      { part(0), static_cast<int>(part(1)), static_cast<int>(part(2)), part(3), static_cast<int>(part(4)) });
+  }
+}
+
+bool IsFaceOf(const VolumeMesh& mesh, Id cell, int face, int material)
+{
+  return cell >= 0 && cell < mesh.CellCount() && face >= 0 && face < FaceCount(mesh.types[Index(cell)]) &&
+         mesh.materials[Index(cell)] == material;
+}
+
+/// True if the face lies where the patch says.
+bool Fits(const VolumeMesh& mesh, const PatchFace& face, const MeshPatch& patch)
+{
+  if (!IsFaceOf(mesh, face.cell, face.face, patch.pair.first))
+  {
+    return false;
+  }
+  if (patch.kind != PatchKind::Interface)
+  {
+    return true;
+  }
+  if (!IsFaceOf(mesh, face.otherCell, face.otherFace, patch.pair.second))
+  {
+    return false;
+  }
+  // The same place, by nodes that may be twins.
+  const CellFace a = FaceOf(mesh, face.cell, face.face);
+  const CellFace b = FaceOf(mesh, face.otherCell, face.otherFace);
+  const std::size_t n = a.IsQuad() ? 4 : 3;
+  bool fits = a.IsQuad() == b.IsQuad();
+  for (std::size_t i = 0; i < n && fits; ++i)
+  {
+    bool isThere = false;
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      isThere = isThere || mesh.points[Index(a.corners[i])] == mesh.points[Index(b.corners[j])];
+    }
+    fits = isThere;
+  }
+  return fits;
+}
+
+void Measure(const VolumeMesh& mesh, const CellFace& face, MeshPatch& patch)
+{
+  const auto at = [&](std::size_t k) { return mesh.points[Index(face.corners[k])]; };
+  for (std::size_t k = 1; k < (face.IsQuad() ? 3u : 2u); ++k)
+  {
+    const double area = 0.5 * Norm(Cross(at(k) - at(0), at(k + 1) - at(0)));
+    patch.area += area;
+    patch.centre += (at(0) + at(k) + at(k + 1)) * (area / 3);
+  }
+  ++patch.faces;
+}
+
+} // namespace
+
+const char* KindName(PatchKind kind)
+{
+  switch (kind)
+  {
+    case PatchKind::Interface:
+      return "interface";
+    case PatchKind::Border:
+      return "border";
+    case PatchKind::Opening:
+      return "opening";
+    default:
+      return "wall";
+  }
+}
+
+void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid)
+{
+  std::vector<std::string> patchNames;
+  std::vector<int> kinds;
+  std::vector<int> pairs;
+  for (const MeshPatch& patch : patches.patches)
+  {
+    patchNames.push_back(patch.name);
+    kinds.push_back(static_cast<int>(patch.kind));
+    pairs.push_back(patch.pair.first);
+    pairs.push_back(patch.pair.second);
+  }
+  std::vector<Id> faces;
+  faces.reserve(FaceParts * patches.faces.size());
+  for (const PatchFace& face : patches.faces)
+  {
+    faces.insert(faces.end(), { face.cell, face.face, face.patch, face.otherCell, face.otherFace });
+  }
+  std::vector<int> named;
+  std::vector<std::string> materialNames;
+  for (const auto& [material, name] : patches.materialNames)
+  {
+    named.push_back(material);
+    materialNames.push_back(name);
+  }
+  vtkFieldData* field = grid->GetFieldData();
+  field->AddArray(Strings(names::PatchNames, patchNames));
+  field->AddArray(MakeArray<vtkIntArray>(names::PatchKinds, kinds));
+  field->AddArray(MakeArray<vtkIntArray>(names::PatchMaterials, pairs, 2));
+  field->AddArray(MakeArray<vtkIdTypeArray>(names::PatchFaces, faces, FaceParts));
+  field->AddArray(
+    MakeArray<vtkIdTypeArray>(names::PatchedCells, std::vector<Id>{ grid->GetNumberOfCells() }));
+  if (!named.empty())
+  {
+    field->AddArray(Strings(names::MaterialNames, materialNames));
+    field->AddArray(MakeArray<vtkIntArray>(names::NamedMaterials, named));
+  }
+}
+
+MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool& isStale)
+{
+  const PatchArrays arrays(grid->GetFieldData());
+  MeshPatches read;
+  if (arrays.materials && arrays.named &&
+      arrays.materials->GetNumberOfValues() == arrays.named->GetNumberOfTuples())
+  {
+    for (vtkIdType m = 0; m < arrays.materials->GetNumberOfValues(); ++m)
+    {
+      read.materialNames[static_cast<int>(arrays.named->GetComponent(m, 0))] = arrays.materials->GetValue(m);
+    }
+  }
+  isStale = false;
+  if (!arrays.AreThere())
+  {
+    return read;
+  }
+  const MeshPatches none{ {}, {}, read.materialNames };
+  isStale = !arrays.AreSound() || static_cast<Id>(arrays.cells->GetComponent(0, 0)) != mesh.CellCount();
+  if (!isStale)
+  {
+    TakeRows(arrays, read);
+  }
+  for (std::size_t f = 0; f < read.faces.size() && !isStale; ++f)
+  {
+    const PatchFace& face = read.faces[f];
+    isStale = face.patch < 0 || Index(face.patch) >= read.patches.size() ||
+              !Fits(mesh, face, read.patches[Index(face.patch)]);
+    if (!isStale)
+    {
+      Measure(mesh, FaceOf(mesh, face.cell, face.face), read.patches[Index(face.patch)]);
+    }
+  }
+  for (MeshPatch& patch : read.patches)
+  {
+    patch.centre *= patch.area > 0 ? 1 / patch.area : 0;
+  }
+  return isStale ? none : read;
+}
+
+bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches)
+{
+  const PatchArrays arrays(grid->GetFieldData());
+  patches = {};
+  if (!arrays.AreThere() || !arrays.AreSound())
+  {
+    return false;
+  }
+  TakeRows(arrays, patches);
+  return true;
+}
+
+void WriteBoundary(const VolumeMesh& mesh, const MeshPatches& patches, vtkPolyData* output, int only)
+{
+  std::vector<Id> numberOf(mesh.points.size(), -1);
+  std::vector<Id> nodes;
+  std::vector<Vec3> points;
+  std::vector<Id> interfaceNodes;
+  std::vector<Id> connectivity;
+  std::vector<Id> offsets{ 0 };
+  std::vector<int> ids;
+  std::vector<int> labels;
+  for (const PatchFace& face : patches.faces)
+  {
+    if (only >= 0 && face.patch != only)
+    {
+      continue;
+    }
+    const CellFace corners = FaceOf(mesh, face.cell, face.face);
+    for (std::size_t k = 0; k < (corners.IsQuad() ? 4u : 3u); ++k)
+    {
+      Id& number = numberOf[Index(corners.corners[k])];
+      if (number < 0)
+      {
+        number = static_cast<Id>(nodes.size());
+        nodes.push_back(corners.corners[k]);
+        points.push_back(mesh.points[Index(nodes.back())]);
+        interfaceNodes.push_back(mesh.interfaceNodeIds.empty() ? -1
+                                                               : mesh.interfaceNodeIds[Index(nodes.back())]);
+      }
+      connectivity.push_back(number);
+    }
+    offsets.push_back(static_cast<Id>(connectivity.size()));
+    ids.push_back(face.patch);
+    const MaterialPair& pair = patches.patches[Index(face.patch)].pair;
+    labels.insert(labels.end(), { pair.first, pair.second });
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(MakeArray<vtkIdTypeArray>("", offsets), MakeArray<vtkIdTypeArray>("", connectivity));
+  output->SetPoints(MakePoints(points));
+  output->SetPolys(cells);
+  output->GetCellData()->AddArray(MakeArray<vtkIntArray>(names::PatchIds, ids));
+  output->GetCellData()->AddArray(MakeArray<vtkIntArray>(names::BoundaryLabels, labels, 2));
+  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>(names::GlobalNodeIds, nodes));
+  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>(names::InterfaceNodeIds, interfaceNodes));
+  std::vector<std::string> patchNames;
+  for (const MeshPatch& patch : patches.patches)
+  {
+    patchNames.push_back(patch.name);
+  }
+  output->GetFieldData()->AddArray(Strings(names::PatchNames, patchNames));
+}
+
+void WritePatchTable(const MeshPatches& patches, vtkTable* table)
+{
+  std::vector<std::string> patchNames;
+  std::vector<std::string> kinds;
+  std::vector<int> first;
+  std::vector<int> second;
+  std::vector<Id> faces;
+  std::array<std::vector<double>, 4> figures;
+  for (const MeshPatch& patch : patches.patches)
+  {
+    patchNames.push_back(patch.name);
+    kinds.emplace_back(KindName(patch.kind));
+    first.push_back(patch.pair.first);
+    second.push_back(patch.pair.second);
+    faces.push_back(patch.faces);
+    figures[0].push_back(patch.area);
+    for (int k = 0; k < 3; ++k)
+    {
+      figures[static_cast<std::size_t>(k) + 1].push_back(patch.centre[k]);
+    }
+  }
+  table->AddColumn(Strings("Name", patchNames));
+  table->AddColumn(Strings("Kind", kinds));
+  table->AddColumn(MakeArray<vtkIntArray>("MaterialA", first));
+  table->AddColumn(MakeArray<vtkIntArray>("MaterialB", second));
+  table->AddColumn(MakeArray<vtkIdTypeArray>("Faces", faces));
+  const char* const columns[] = { "Area", "X", "Y", "Z" };
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    table->AddColumn(MakeArray<vtkDoubleArray>(columns[k], figures[k]));
+  }
+}
+
+} // namespace lamina
