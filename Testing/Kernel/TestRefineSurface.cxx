@@ -5,14 +5,17 @@
 #include "Mesh/VolumeCorrection.h"
 #include "Search/SelfIntersection.h"
 #include "Shapes.h"
+#include "Sizing/FeatureSize.h"
 #include "Surface/ExtractInterfaces.h"
 #include "Surface/RefineSurface.h"
 #include "Surface/SmoothSurface.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 
 using namespace lamina;
@@ -373,4 +376,40 @@ TEST(RefineSurface, AnisotropyIsChecked)
   }
   options.tangentialAnisotropy = 2;
   ExpectError(sphere, options, Failure::InvalidInput, "Feature Size");
+}
+
+TEST(RefineSurface, BorderPlanesStayPlaneInNoise)
+{
+  // Materials at random up to the image's border: many nodes there are hidden and uncovered by moves.
+  std::mt19937 random(3);
+  const LabelImage image =
+    images::Make({ { 12, 12, 12 } }, [&](Id, Id, Id) { return static_cast<int>(random() % 4); });
+  ThreadMonitor monitor(2);
+  TriangleComplex surface;
+  ASSERT_TRUE(ExtractInterfaces(image, surface, {}, monitor));
+  ASSERT_TRUE(SmoothSurface(surface, {}, monitor));
+  ASSERT_TRUE(ComputeFeatureSize(surface, {}, monitor));
+  ASSERT_TRUE(RefineSurface(surface, {}, monitor));
+  std::map<int, std::array<Vec3, 2>> boxes;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const int patch = surface.Patch(static_cast<Id>(t));
+    for (Id p : surface.triangles[t])
+    {
+      const Vec3& x = surface.points[static_cast<std::size_t>(p)];
+      auto& box = boxes.insert({ patch, { { x, x } } }).first->second;
+      for (int a = 0; a < 3; ++a)
+      {
+        box[0][a] = std::min(box[0][a], x[a]);
+        box[1][a] = std::max(box[1][a], x[a]);
+      }
+    }
+  }
+  EXPECT_EQ(boxes.size(), 7u);
+  for (const auto& box : boxes)
+  {
+    const Vec3 extent = box.second[1] - box.second[0];
+    const double least = std::min({ extent.x, extent.y, extent.z });
+    EXPECT_TRUE(box.first == 0 || least < 1e-9) << "patch " << box.first << ": " << least;
+  }
 }

@@ -230,6 +230,18 @@ bool EditableSurface::UncoverBySwap(Id p)
   return false;
 }
 
+bool EditableSurface::IsOnPatch(Id p) const
+{
+  const std::vector<Id>& star = this->Star(p);
+  return std::any_of(star.begin(), star.end(),
+                     [this](Id t)
+                     {
+                       const int sheet = this->Sheets[static_cast<std::size_t>(t)];
+                       return this->Input.Surface().Patch(
+                                this->PairOfSheet[static_cast<std::size_t>(sheet)]) != 0;
+                     });
+}
+
 /// Try many small moves of p and the points around it.
 bool EditableSurface::UncoverBySearch(Id p)
 {
@@ -239,7 +251,8 @@ bool EditableSurface::UncoverBySearch(Id p)
   {
     for (Id q : ring)
     {
-      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet)
+      // Points of a border plane or an opening must stay in it.
+      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet || this->IsOnPatch(q))
       {
         continue;
       }

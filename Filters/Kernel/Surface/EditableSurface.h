@@ -117,6 +117,8 @@ private:
   bool UncoverByMove(Id p);
   bool UncoverByMerge(Id p);
   bool UncoverBySwap(Id p);
+  /// True if a triangle at p belongs to a plane patch.
+  bool IsOnPatch(Id p) const;
   bool UncoverBySearch(Id p);
   std::vector<Id> RingOf(Id p) const;
 
