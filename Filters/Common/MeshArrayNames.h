@@ -17,6 +17,7 @@ constexpr const char* Mask = "Mask";
 // Surfaces: triangles.
 constexpr const char* BoundaryLabels = "BoundaryLabels";
 constexpr const char* PatchIds = "PatchIds";
+constexpr const char* MissingVolume = "MissingVolume";
 constexpr const char* LayersAchieved = "LayersAchieved";
 constexpr const char* LayerFraction = "LayerFraction";
 
@@ -46,6 +47,7 @@ constexpr const char* GlobalNodeIds = "GlobalNodeIds";
 constexpr const char* PatchNames = "PatchNames";
 constexpr const char* MaterialNames = "MaterialNames";
 constexpr const char* MaterialVolumes = "MaterialVolumes";
+constexpr const char* ImageVolumes = "ImageVolumes";
 constexpr const char* MaterialComponents = "MaterialComponents";
 constexpr const char* IntersectingPairs = "IntersectingPairs";
 constexpr const char* LeastClearance = "LeastClearance";

@@ -15,6 +15,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -24,6 +25,44 @@
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkMeshAudit);
+
+namespace
+{
+
+/// Tell the volumes of the image's voxels, where they have travelled along, in the lengths of the mesh.
+template<typename AuditT>
+void TakeImageVolumes(vtkFieldData* data, double scale, AuditT& report)
+{
+  vtkDataArray* volumes = data->GetArray(lamina::names::ImageVolumes);
+  for (vtkIdType i = 0; volumes && volumes->GetNumberOfComponents() == 2 && i < volumes->GetNumberOfTuples();
+       ++i)
+  {
+    for (auto& material : report.materials)
+    {
+      if (material.material == volumes->GetComponent(i, 0))
+      {
+        material.imageVolume = volumes->GetComponent(i, 1) * scale * scale * scale;
+      }
+    }
+  }
+}
+
+void TakeFigure(vtkFieldData* data, const char* name, double scale, double& figure)
+{
+  vtkDataArray* array = data->GetArray(name);
+  figure = array && array->GetNumberOfValues() == 1 ? scale * array->GetComponent(0, 0) : figure;
+}
+
+/// What travelled with the mesh, or failing that with the surface.
+void TakeWhatTravelled(vtkFieldData* data, double scale, lamina::AuditReport& report)
+{
+  TakeImageVolumes(data, scale, report);
+  TakeFigure(data, lamina::names::IntersectingPairs, 1, report.carriedPairs);
+  TakeFigure(data, lamina::names::LeastClearance, scale, report.carriedClearance);
+  TakeFigure(data, lamina::names::LeastAngle, 1, report.carriedAngle);
+}
+
+} // namespace
 
 vtkMeshAudit::vtkMeshAudit()
 {
@@ -114,11 +153,15 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     const lamina::AuditOptions options{ this->QualityGate, this->VolumeTolerance, this->OverlapSamples,
                                         this->SurfaceScale };
     lamina::AuditMarks marks;
-    const auto report =
-      lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
+    auto report = lamina::AuditMesh(*mesh, withSurface ? &interfaces : nullptr, options, marks, monitor);
     if (!report)
     {
       return report.GetError();
+    }
+    TakeWhatTravelled(input->GetFieldData(), this->SurfaceScale, *report);
+    if (withSurface)
+    {
+      TakeWhatTravelled(surface->GetFieldData(), this->SurfaceScale, *report);
     }
     lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::MeshQuality, marks.quality);
     lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags,
@@ -143,11 +186,12 @@ int vtkMeshAudit::AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable*
       return surface.GetError();
     }
     std::vector<unsigned char> flags;
-    const auto report = lamina::AuditSurface(*surface, flags, monitor);
+    auto report = lamina::AuditSurface(*surface, flags, monitor);
     if (!report)
     {
       return report.GetError();
     }
+    TakeImageVolumes(input->GetFieldData(), 1, *report);
     lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags, flags);
     lamina::FillTable(*report, table);
     this->Passed = report->Passed();

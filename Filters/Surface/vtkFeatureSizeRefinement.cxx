@@ -5,6 +5,7 @@
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
+#include "SurfaceFigures.h"
 
 #include "Surface/RefineSurface.h"
 
@@ -66,6 +67,7 @@ int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector*
       return report.GetError();
     }
     lamina::WriteSurface(*surface, output);
+    lamina::WriteCertificate(lamina::Certify(*surface, monitor), output);
     lamina::AttachReport(output, "SurfaceRefinement", Describe(*report));
     return lamina::Done{};
   };

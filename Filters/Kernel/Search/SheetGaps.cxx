@@ -4,8 +4,10 @@
 #include "Clearance.h"
 #include "TriangleTree.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 namespace lamina
@@ -67,18 +69,23 @@ public:
     , Cutoff(cutoff)
     , Tree(points, triangles)
     , EdgesOf(triangles.size())
+    , Owned(triangles.size(), 0)
     , Any(triangles.size(), cutoff * cutoff)
     , Facing(triangles.size(), cutoff * cutoff)
   {
     for (std::size_t e = 0; e < table.edges.size(); ++e)
     {
       const Edge& edge = table.edges[e];
+      const double length = Norm(points[At(edge.b)] - points[At(edge.a)]);
+      this->HalfLength.push_back(static_cast<float>(0.5 * (1 + 1e-6) * length));
       for (const Id t : Row(table.triangles, static_cast<Id>(e)))
       {
         const Triangle& c = triangles[At(t)];
         const std::size_t far =
           c[0] != edge.a && c[0] != edge.b ? 0 : (c[1] != edge.a && c[1] != edge.b ? 1 : 2);
-        this->EdgesOf[At(t)][(far + 1) % 3] = static_cast<Id>(e);
+        this->EdgesOf[At(t)][far] = static_cast<std::int32_t>(e);
+        this->Owned[At(t)] |= *table.triangles.Begin(static_cast<Id>(e)) == t ? 1u << far : 0u;
+        this->Owned[At(t)] |= *star.Begin(c[far]) == t ? 8u << far : 0u;
       }
     }
   }
@@ -88,11 +95,6 @@ public:
 
 private:
   const Vec3& X(Id p) const { return this->Points[At(p)]; }
-  bool OwnsEdge(Id t, std::size_t k) const
-  {
-    return *this->Table.triangles.Begin(this->EdgesOf[At(t)][k]) == t;
-  }
-  bool OwnsCorner(Id t, std::size_t k) const { return *this->Star.Begin(this->Triangles[At(t)][k]) == t; }
   void MeasurePair(Id s, Id t);
   void MeasureEdges(Id e, Id f);
   void MeasureCorner(Id p, Id t);
@@ -110,8 +112,10 @@ private:
   const Lists& Star;
   double Cutoff;
   TriangleTree Tree;
-  std::vector<std::array<Id, 3>> EdgesOf; ///< from corner k to the next
-  Minima Any;                             ///< squared, of triangles
+  std::vector<std::array<std::int32_t, 3>> EdgesOf; ///< opposite to each corner
+  std::vector<unsigned char> Owned; ///< bits of the edges, then of the corners, that a triangle measures
+  std::vector<float> HalfLength;    ///< of edges, rounded up
+  Minima Any;                       ///< squared, of triangles
   Minima Facing;
 };
 
@@ -142,7 +146,7 @@ void GapFinder::MeasureEdges(Id e, Id f)
   const Vec3 u = this->X(own.b) - this->X(own.a);
   const Vec3 v = this->X(other.b) - this->X(other.a);
   const Vec3 apart = this->X(own.a) - this->X(other.a) + 0.5 * (u - v);
-  const double reach = this->Cutoff + 0.5 * (Norm(u) + Norm(v));
+  const double reach = this->Cutoff + this->HalfLength[At(e)] + this->HalfLength[At(f)];
   if (Norm2(apart) >= reach * reach)
   {
     return;
@@ -170,6 +174,14 @@ void GapFinder::MeasureCorner(Id p, Id t)
   {
     return;
   }
+  // Too far off whatever the triangle's shape?
+  const Vec3& a = this->X(c[0]);
+  const double longest2 = std::max(Norm2(this->X(c[1]) - a), Norm2(this->X(c[2]) - a));
+  const double away2 = Norm2(this->X(p) - a);
+  if (away2 > 2 * (this->Cutoff * this->Cutoff + longest2)) // at least the square of their sum
+  {
+    return;
+  }
   Vec3 closest;
   std::array<double, 3> weights;
   const double distance2 =
@@ -186,19 +198,21 @@ void GapFinder::MeasureCorner(Id p, Id t)
 
 void GapFinder::MeasurePair(Id s, Id t)
 {
+  const unsigned own = this->Owned[At(s)];
+  const unsigned other = this->Owned[At(t)];
   for (std::size_t i = 0; i < 3; ++i)
   {
-    if (this->OwnsCorner(s, i))
+    if (own & (8u << i))
     {
       this->MeasureCorner(this->Triangles[At(s)][i], t);
     }
-    if (this->OwnsCorner(t, i))
+    if (other & (8u << i))
     {
       this->MeasureCorner(this->Triangles[At(t)][i], s);
     }
-    for (std::size_t j = 0; j < 3 && this->OwnsEdge(s, i); ++j)
+    for (std::size_t j = 0; j < 3 && (own & (1u << i)); ++j)
     {
-      if (this->OwnsEdge(t, j))
+      if (other & (1u << j))
       {
         this->MeasureEdges(this->EdgesOf[At(s)][i], this->EdgesOf[At(t)][j]);
       }

@@ -14,15 +14,15 @@ namespace lamina
 namespace
 {
 
-constexpr double farthestLook = 2; ///< mean edge lengths
+constexpr double farthestLook = 1; ///< mean edge lengths
 constexpr double degree = 3.141592653589793 / 180;
 
-double LeastClearance(const TriangleComplex& surface, const EdgeTable& table, Monitor& monitor)
+double ClearanceOf(const TriangleComplex& surface, const EdgeTable& table, Monitor& monitor)
 {
   const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
   // The wider the search the longer it takes, and mostly sheets stand close: it widens until some are found.
   double least = 0;
-  for (const double reach : { 0.25, 0.75, farthestLook })
+  for (const double reach : { 0.3, farthestLook })
   {
     const double cutoff = reach * MeanEdgeLength(surface);
     const std::vector<double> gaps =
@@ -36,7 +36,7 @@ double LeastClearance(const TriangleComplex& surface, const EdgeTable& table, Mo
   return least;
 }
 
-double LeastAngle(const TriangleComplex& surface, const EdgeTable& table)
+double AngleOf(const TriangleComplex& surface, const EdgeTable& table)
 {
   double greatest = -1; // cosine
   for (std::size_t e = 0; e < table.edges.size(); ++e)
@@ -64,15 +64,24 @@ double LeastAngle(const TriangleComplex& surface, const EdgeTable& table)
 
 } // namespace
 
+double LeastClearance(const TriangleComplex& surface, Monitor& monitor)
+{
+  return ClearanceOf(surface, MakeEdgeTable(surface.triangles), monitor);
+}
+
+double LeastAngle(const TriangleComplex& surface)
+{
+  return AngleOf(surface, MakeEdgeTable(surface.triangles));
+}
+
 SurfaceCertificate Certify(const TriangleComplex& surface, Monitor& monitor)
 {
   SurfaceCertificate certificate;
   certificate.intersectingPairs =
     static_cast<Id>(FindIntersections(surface.points, surface.triangles, monitor).size());
   const EdgeTable table = MakeEdgeTable(surface.triangles);
-  certificate.leastClearance =
-    certificate.intersectingPairs > 0 ? 0 : LeastClearance(surface, table, monitor);
-  certificate.leastAngle = LeastAngle(surface, table);
+  certificate.leastClearance = certificate.intersectingPairs > 0 ? 0 : ClearanceOf(surface, table, monitor);
+  certificate.leastAngle = AngleOf(surface, table);
   return certificate;
 }
 

@@ -72,7 +72,7 @@ public:
     }
   }
 
-  void Level(double wavelength);
+  void Level(double wavelength, Monitor& monitor);
   void KeepTriangles(Monitor& monitor);
   /// One flag a point that this step must not move.
   std::vector<char> Held() const
@@ -130,9 +130,9 @@ void Step::Shorten()
   }
 }
 
-void Step::Level(double wavelength)
+void Step::Level(double wavelength, Monitor& monitor)
 {
-  const SheetFairing fairing(this->State.surface);
+  const SheetFairing fairing(this->State, monitor);
   this->Offsets = fairing.Offsets(this->Normals, this->Free, wavelength);
   this->Shorten();
   // What is held back, and what does not move at all, leaves a surplus beside it. Without it the moves add up
@@ -201,7 +201,7 @@ std::vector<char> LevelWaves(SmoothingState& state, const MoveGuard& guard, doub
                              Monitor& monitor)
 {
   Step step(state, guard, wavelength);
-  step.Level(wavelength);
+  step.Level(wavelength, monitor);
   step.KeepTriangles(monitor);
   return step.Held();
 }
@@ -261,7 +261,7 @@ void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vec
       sources[static_cast<std::size_t>(p)] += takes ? volumes[t] / corners : 0;
     }
   }
-  const std::vector<double> offsets = SheetFairing(surface).Spread(sources, free, distance);
+  const std::vector<double> offsets = SheetFairing(state, monitor).Spread(sources, free, distance);
   std::vector<Vec3> moves(offsets.size());
   for (std::size_t p = 0; p < moves.size(); ++p)
   {
