@@ -42,7 +42,7 @@ void ExpectForRandomImages(unsigned first, unsigned count, const std::vector<int
 TEST(SmoothGuarantees, RandomImages)
 {
   ExpectForRandomImages(1, 1, { 5 });
-  ExpectForRandomImages(9, 2, { 5, 20 });
+  ExpectForRandomImages(9, 2, { 20 });
 }
 
 TEST(LongSmoothGuarantees, RandomImages)
@@ -89,17 +89,17 @@ TEST(SmoothGuarantees, TouchingVessels)
 
 TEST(SmoothGuarantees, ChordaeOfTwoVoxels)
 {
-  for (const double tilt : { 0.0, 0.35, 0.7 })
+  for (const double tilt : { 0.0, 0.6 })
   {
     const Vec3 axis = Normalized(Vec3{ std::sin(tilt), 0.3 * std::sin(tilt), std::cos(tilt) });
     const LabelImage image =
-      images::MakeCentred(30,
+      images::MakeCentred(24,
                           [&](double x, double y, double z)
                           {
                             const Vec3 p{ x, y, z };
                             const bool block =
-                              std::abs(z) > 9 && std::abs(z) < 13 && std::abs(x) < 13 && std::abs(y) < 13;
-                            return block || (std::abs(z) <= 9 && Norm(p - Dot(p, axis) * axis) < 1.1) ? 1 : 0;
+                              std::abs(z) > 7 && std::abs(z) < 10 && std::abs(x) < 10 && std::abs(y) < 10;
+                            return block || (std::abs(z) <= 7 && Norm(p - Dot(p, axis) * axis) < 1.1) ? 1 : 0;
                           });
     for (const int sweeps : { 5, 20, 100 })
     {

@@ -29,6 +29,9 @@ constexpr double leastShareOfDistance = 0.5;
 /// Volumes are held relative to this many voxels at least.
 constexpr double voxelsOfPiece = 100;
 constexpr double missedFrom = 1e-12;
+/// Between phases a rest of volume may wait for the next one, at the end it may not.
+constexpr Patience patience{ 10, 0.5 };
+constexpr Patience lastPatience{ 40, 0.9 };
 constexpr double largestStep = 0.2; ///< of a volume at once
 /// Before this many sweeps the moves do not tell yet whether more of them help.
 constexpr int sweepsBeforeSettled = 12;
@@ -73,6 +76,7 @@ bool Smoother::Run(SmoothSurfaceReport& report, Monitor& monitor)
       break;
     }
   }
+  this->HoldVolumes({}, lastPatience, monitor);
   return this->Finish(monitor);
 }
 
@@ -83,19 +87,23 @@ bool Smoother::Finish(Monitor& monitor)
   {
     return !monitor.Cancelled();
   }
+  constexpr int rounds = 8;
   const double floor = leastDistance * VoxelPerMeanEdge * this->Unit;
-  const std::vector<Vec3> smoothed = this->State.surface.points;
-  this->KeepApart(floor, monitor);
-  if (this->State.surface.points != smoothed)
+  std::vector<Vec3>& points = this->State.surface.points;
+  std::vector<char> held(points.size(), 0);
+  for (int round = 0; !monitor.Cancelled(); ++round)
   {
-    const std::vector<Vec3> apart = this->State.surface.points;
-    this->HoldVolumes({}, monitor);
-    const std::vector<Vec3> held = this->State.surface.points;
+    const std::vector<Vec3> before = points;
     this->KeepApart(floor, monitor);
-    if (this->State.surface.points != held)
+    if (points == before || round == rounds) // at the end some volumes may be missed, and are reported
     {
-      this->State.surface.points = apart; // some volumes are missed, and reported
+      break;
     }
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      held[p] = held[p] || !(points[p] == before[p]) ? 1 : 0;
+    }
+    this->HoldVolumes(held, lastPatience, monitor);
   }
   return !monitor.Cancelled();
 }
@@ -208,23 +216,32 @@ Id Smoother::RollBack(Monitor& monitor)
     }
     this->Widen(points, round); // the first was not enough: take the neighbours too
     count += static_cast<Id>(points.size());
-    this->PutBack(std::move(points), monitor);
+    const bool isAll = points.size() == this->State.surface.points.size();
+    if (!this->PutBack(std::move(points), monitor) && isAll)
+    {
+      break;
+    }
   }
   return count;
 }
 
-/// Puts points back to where the phase began, and those whose triangles that would turn over.
-void Smoother::PutBack(std::vector<Id> points, Monitor& monitor)
+/// Puts points back to where the phase began, and those whose triangles that would turn over; false if all
+/// were there.
+bool Smoother::PutBack(std::vector<Id> points, Monitor& monitor)
 {
   const std::vector<Vec3>& start = this->Guard.PhaseStart();
+  bool changed = false;
   while (!points.empty())
   {
     for (const Id p : points)
     {
-      this->State.surface.points[static_cast<std::size_t>(p)] = start[static_cast<std::size_t>(p)];
+      Vec3& x = this->State.surface.points[static_cast<std::size_t>(p)];
+      changed = changed || !(x == start[static_cast<std::size_t>(p)]);
+      x = start[static_cast<std::size_t>(p)];
     }
     points = this->Guard.Offending(start, monitor);
   }
+  return changed;
 }
 
 /// Measures the gaps around the points. Where sheets have come too near since the phase began, points go back
@@ -249,7 +266,11 @@ SheetGaps Smoother::KeepApart(double cutoff, Monitor& monitor)
       return gaps;
     }
     this->Widen(close, round);
-    this->PutBack(std::move(close), monitor);
+    const bool isAll = close.size() == surface.points.size();
+    if (!this->PutBack(std::move(close), monitor) && isAll)
+    {
+      return gaps;
+    }
   }
 }
 
@@ -295,10 +316,10 @@ void Smoother::GiveBack(Monitor& monitor)
 /// Newton's method for the volumes of all regions, in steps that the guard allows. Points flagged in `held`
 /// (or none if it is empty) stay. Small pieces whose volume is out of reach would keep their neighbours from
 /// theirs: in a second round they only keep what they have. What is not reached is left for the next phase.
-void Smoother::HoldVolumes(const std::vector<char>& held, Monitor& monitor)
+void Smoother::HoldVolumes(const std::vector<char>& held, Patience patience, Monitor& monitor)
 {
   std::vector<double> goals = this->Goal.volumes;
-  if (this->ReachVolumes(goals, held, monitor))
+  if (this->ReachVolumes(goals, held, patience, monitor))
   {
     return;
   }
@@ -313,7 +334,7 @@ void Smoother::HoldVolumes(const std::vector<char>& held, Monitor& monitor)
   }
   if (someLeft)
   {
-    this->ReachVolumes(goals, held, monitor);
+    this->ReachVolumes(goals, held, patience, monitor);
   }
 }
 
@@ -324,14 +345,15 @@ double Smoother::WeightOf(double volume) const
   return std::max(std::abs(volume), voxelsOfPiece * voxel * voxel * voxel);
 }
 
-bool Smoother::ReachVolumes(const std::vector<double>& goals, std::vector<char> held, Monitor& monitor)
+bool Smoother::ReachVolumes(const std::vector<double>& goals, std::vector<char> held, Patience patience,
+                            Monitor& monitor)
 {
   std::vector<Vec3>& points = this->State.surface.points;
   held.resize(points.size(), 0);
   std::vector<Vec3> best = points;
   double least = std::numeric_limits<double>::infinity();
   int slow = 0;
-  for (int round = 0; round < 20 && slow < 2 && !monitor.Cancelled(); ++round)
+  for (int round = 0; round < patience.rounds && slow < 2 && !monitor.Cancelled(); ++round)
   {
     std::vector<double> wanted = ShellVolumes(this->State.surface, this->Goal.regions);
     double worst = 0;
@@ -342,7 +364,7 @@ bool Smoother::ReachVolumes(const std::vector<double>& goals, std::vector<char> 
       const double most = largestStep * std::abs(wanted[r]);
       wanted[r] = std::min(most, std::max(-most, rest));
     }
-    slow = worst < 0.5 * least ? 0 : slow + 1;
+    slow = worst < patience.progress * least ? 0 : slow + 1;
     if (worst < least)
     {
       least = worst;
@@ -370,7 +392,7 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
   if (report.sweepsDone >= sweepsBeforeLevelling && this->Options.wavelength > 0)
   {
     this->HoldVolumes(LevelWaves(this->State, this->Guard, this->Options.wavelength * this->Unit, monitor),
-                      monitor);
+                      patience, monitor);
   }
   for (int i = 0; i < sweeps; ++i)
   {
@@ -386,7 +408,7 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
     report.sweepsDone < sweepsBeforeLevelling && report.sweepsDone < this->Options.sweeps;
   if (!staircase)
   {
-    this->HoldVolumes({}, monitor);
+    this->HoldVolumes({}, patience, monitor);
   }
   if (this->Careful)
   {
@@ -395,7 +417,7 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
     const std::vector<Vec3> certified = this->State.surface.points;
     if (rolled > 0)
     {
-      this->HoldVolumes({}, monitor);
+      this->HoldVolumes({}, patience, monitor);
       if (!NewIntersections(this->State.surface, this->Goal.intersecting, monitor).empty())
       {
         this->State.surface.points = certified;

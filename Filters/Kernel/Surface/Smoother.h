@@ -33,6 +33,13 @@ std::vector<std::array<Id, 2>> NewIntersections(const TriangleComplex& surface,
                                                 const std::vector<std::array<Id, 2>>& known,
                                                 Monitor& monitor);
 
+/// How long Newton's method goes on for volumes.
+struct Patience
+{
+  int rounds;
+  double progress; ///< an error that stays above this share of the least so far, twice, ends it
+};
+
 class Smoother
 {
 public:
@@ -51,13 +58,14 @@ private:
   Id Sweep(Monitor& monitor);
   Id RollBack(Monitor& monitor);
   void Widen(std::vector<Id>& points, int times) const;
-  void PutBack(std::vector<Id> points, Monitor& monitor);
+  bool PutBack(std::vector<Id> points, Monitor& monitor);
   SheetGaps KeepApart(double cutoff, Monitor& monitor);
   bool Finish(Monitor& monitor);
   void GiveBack(Monitor& monitor);
   double WeightOf(double volume) const;
-  void HoldVolumes(const std::vector<char>& held, Monitor& monitor);
-  bool ReachVolumes(const std::vector<double>& goals, std::vector<char> held, Monitor& monitor);
+  void HoldVolumes(const std::vector<char>& held, Patience patience, Monitor& monitor);
+  bool ReachVolumes(const std::vector<double>& goals, std::vector<char> held, Patience patience,
+                    Monitor& monitor);
   double MovePerSweep(int sweeps) const;
 
   SmoothingState State;
