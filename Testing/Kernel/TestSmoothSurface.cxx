@@ -142,6 +142,64 @@ TEST(SmoothSurface, CappedSectors)
   SmoothAndCheck(surface, "capped sectors");
 }
 
+TEST(SmoothSurface, FourBallsThatMeet)
+{
+  // Each voxel belongs to the nearest of four balls around a tetrahedron's corners: curves of three materials
+  // and more meet in the middle.
+  const LabelImage image = images::MakeCentred(
+    22,
+    [](double x, double y, double z)
+    {
+      const Vec3 p{ x, y, z };
+      const double d = 2.9;
+      const std::array<Vec3, 4> centres{ { { d, d, d }, { d, -d, -d }, { -d, d, -d }, { -d, -d, d } } };
+      int nearest = 0;
+      double least = 5.3;
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        if (Norm(p - centres[c]) < least)
+        {
+          least = Norm(p - centres[c]);
+          nearest = static_cast<int>(c) + 1;
+        }
+      }
+      return nearest;
+    });
+  TriangleComplex surface = Extract(image);
+  const TriangleComplex before = surface;
+  SmoothAndCheck(surface, "four balls");
+  // The curves lose their steps: the turn at their points, before and after.
+  const EdgeTable table = MakeEdgeTable(surface.triangles);
+  std::vector<std::vector<Id>> along(surface.points.size());
+  for (std::size_t e = 0; e < table.edges.size(); ++e)
+  {
+    if (table.triangles.Count(static_cast<Id>(e)) > 2)
+    {
+      along[static_cast<std::size_t>(table.edges[e].a)].push_back(table.edges[e].b);
+      along[static_cast<std::size_t>(table.edges[e].b)].push_back(table.edges[e].a);
+    }
+  }
+  const auto turns = [&](const TriangleComplex& s)
+  {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t p = 0; p < along.size(); ++p)
+    {
+      if (along[p].size() == 2)
+      {
+        const auto x = [&](Id q) { return s.points[static_cast<std::size_t>(q)]; };
+        const Vec3 u = Normalized(s.points[p] - x(along[p][0]));
+        const Vec3 v = Normalized(x(along[p][1]) - s.points[p]);
+        sum += std::acos(std::min(1.0, Dot(u, v)));
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 30);
+    return sum / count;
+  };
+  EXPECT_LT(turns(surface), 0.5 * turns(before));
+}
+
 TEST(SmoothSurface, Noise)
 {
   for (unsigned seed = 0; seed < 6; ++seed)

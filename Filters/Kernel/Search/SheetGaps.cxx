@@ -73,6 +73,14 @@ public:
     , Any(triangles.size(), cutoff * cutoff)
     , Facing(triangles.size(), cutoff * cutoff)
   {
+    this->Normals.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+    {
+      const Vec3 n = Normalized(AreaVector2(points, t));
+      this->Normals.push_back(
+        { { static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z) } });
+    }
+    this->HalfLength.reserve(table.edges.size());
     for (std::size_t e = 0; e < table.edges.size(); ++e)
     {
       const Edge& edge = table.edges[e];
@@ -99,11 +107,11 @@ private:
   void MeasureEdges(Id e, Id f);
   void MeasureCorner(Id p, Id t);
   void Note(Id s, Id t, double distance2, const Vec3& connection);
-  bool Faces(Id t, const Vec3& connection) const
+  bool Faces(Id t, const Vec3& connection, double distance2) const
   {
-    const Vec3 normal = AreaVector2(this->Points, this->Triangles[At(t)]);
-    const double along = Dot(normal, connection);
-    return along * along >= facingSine * facingSine * Norm2(normal) * Norm2(connection);
+    const auto& n = this->Normals[At(t)];
+    const double along = n[0] * connection.x + n[1] * connection.y + n[2] * connection.z;
+    return along * along >= facingSine * facingSine * distance2;
   }
 
   const std::vector<Vec3>& Points;
@@ -115,20 +123,23 @@ private:
   std::vector<std::array<std::int32_t, 3>> EdgesOf; ///< opposite to each corner
   std::vector<unsigned char> Owned; ///< bits of the edges, then of the corners, that a triangle measures
   std::vector<float> HalfLength;    ///< of edges, rounded up
-  Minima Any;                       ///< squared, of triangles
+  std::vector<std::array<float, 3>> Normals;
+  Minima Any; ///< squared, of triangles
   Minima Facing;
 };
 
 void GapFinder::Note(Id s, Id t, double distance2, const Vec3& connection)
 {
-  if (ShareCorner(this->Triangles[At(s)], this->Triangles[At(t)]))
+  const bool isNearest = distance2 < this->Any.Of(s) || distance2 < this->Any.Of(t);
+  const bool isNearestFacing = (distance2 < this->Facing.Of(s) || distance2 < this->Facing.Of(t)) &&
+                               this->Faces(s, connection, distance2) && this->Faces(t, connection, distance2);
+  if ((!isNearest && !isNearestFacing) || ShareCorner(this->Triangles[At(s)], this->Triangles[At(t)]))
   {
     return;
   }
   this->Any.Lower(s, distance2);
   this->Any.Lower(t, distance2);
-  if ((distance2 < this->Facing.Of(s) || distance2 < this->Facing.Of(t)) && this->Faces(s, connection) &&
-      this->Faces(t, connection))
+  if (isNearestFacing)
   {
     this->Facing.Lower(s, distance2);
     this->Facing.Lower(t, distance2);
@@ -231,7 +242,7 @@ void GapFinder::Measure(Id t)
   this->Tree.ForOverlaps(box,
                          [&](Id other)
                          {
-                           if (t < other)
+                           if (t < other && (this->Owned[At(t)] | this->Owned[At(other)]) != 0)
                            {
                              this->MeasurePair(t, other);
                            }
