@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace lamina;
 
@@ -40,6 +41,38 @@ void ExpectSound(const Wall& wall, const Columns& columns, ColumnCells kind)
   ThreadMonitor monitor;
   const TriangleComplex front = FrontOf(wall, columns);
   EXPECT_EQ(FindIntersections(front.points, front.triangles, monitor).size(), 0u);
+}
+
+/// A ball whose points are shaken along the radius by up to `bumps` of it.
+Wall BumpyBall(double bumps, unsigned seed)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 3, { 1, 0 });
+  std::mt19937 random(seed);
+  for (Vec3& p : surface.points)
+  {
+    p = p * (1 + bumps * (static_cast<double>(random() % 2001) / 1000 - 1));
+  }
+  return MakeWall(surface, 1);
+}
+
+/// The least quality of all cells on the wall.
+double LeastQuality(const Wall& wall, const Columns& columns, ColumnCells kind)
+{
+  double least = 1;
+  std::array<ColumnCell, 3> cells;
+  for (Id t = 0; t < static_cast<Id>(wall.triangles.size()); ++t)
+  {
+    for (int layer = 1; layer <= columns.layers; ++layer)
+    {
+      const int count = CellsOfTriangle(wall, columns, t, layer, kind, cells);
+      for (int i = 0; i < count; ++i)
+      {
+        least = std::min(least, QualityOf(wall, columns, cells[static_cast<std::size_t>(i)]));
+      }
+    }
+  }
+  return least;
 }
 
 Id CountStopped(const Columns& columns)
@@ -225,4 +258,34 @@ TEST(Columns, ThreadsMakeNoDifferenceAndCancelStops)
   const auto result = GrowColumns(wall, {}, monitor);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.GetError().kind, Failure::Cancelled);
+}
+
+TEST(Columns, PoorPrismsAreFaired)
+{
+  for (unsigned seed = 0; seed < 5; ++seed)
+  {
+    const Wall wall = BumpyBall(0.1, seed);
+    const Columns columns = Grow(wall, {});
+    ExpectSound(wall, columns, ColumnCells::Prisms);
+    EXPECT_EQ(CountStopped(columns), 0) << seed;
+    const double least = LeastQuality(wall, columns, ColumnCells::Prisms);
+    EXPECT_GT(least, 0.25) << seed;
+  }
+}
+
+TEST(Columns, ThinLayersOfTetsStand)
+{
+  // A crust so thin that each tet is flat: layers of a tenth of an edge.
+  for (unsigned seed = 0; seed < 5; ++seed)
+  {
+    Wall wall = BumpyBall(0.05, seed);
+    wall.thickness.assign(wall.points.size(), 0.07);
+    ColumnOptions options;
+    options.layers = 2;
+    options.share = 1.0 / 3;
+    options.cells = ColumnCells::Tets;
+    const Columns columns = Grow(wall, options);
+    ExpectSound(wall, columns, ColumnCells::Tets);
+    EXPECT_EQ(CountStopped(columns), 0) << seed;
+  }
 }
