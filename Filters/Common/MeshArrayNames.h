@@ -17,6 +17,7 @@ constexpr const char* Mask = "Mask";
 // Surfaces: triangles.
 constexpr const char* BoundaryLabels = "BoundaryLabels";
 constexpr const char* PatchIds = "PatchIds";
+constexpr const char* MissingVolume = "MissingVolume";
 constexpr const char* LayersAchieved = "LayersAchieved";
 constexpr const char* LayerFraction = "LayerFraction";
 
@@ -54,6 +55,7 @@ constexpr const char* LengthUnit = "LengthUnit";
 constexpr const char* LengthScale = "LengthScale";
 constexpr const char* MaterialNames = "MaterialNames";
 constexpr const char* MaterialVolumes = "MaterialVolumes";
+constexpr const char* ImageVolumes = "ImageVolumes";
 constexpr const char* MaterialComponents = "MaterialComponents";
 constexpr const char* IntersectingPairs = "IntersectingPairs";
 constexpr const char* LeastClearance = "LeastClearance";

@@ -19,6 +19,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace lamina
@@ -119,6 +120,25 @@ Status ReadPatches(vtkPolyData* input, TriangleComplex& surface)
   for (vtkIdType i = 0; status && patchNames && i < patchNames->GetNumberOfValues(); ++i)
   {
     surface.patchNames.push_back(patchNames->GetValue(i));
+  }
+  return status;
+}
+
+/// In the order of the material pairs as they are stored: Multimaterial Marching Cubes writes no others.
+Status ReadMissing(vtkPolyData* input, TriangleComplex& surface)
+{
+  std::vector<double> flat;
+  auto status = Take(
+    ReadValues<double>(input->GetCellData(), names::MissingVolume, input->GetNumberOfCells(), 2, "triangles"),
+    flat);
+  for (std::size_t i = 0; status && i < flat.size(); i += 2)
+  {
+    if (!std::isfinite(flat[i]) || !std::isfinite(flat[i + 1]))
+    {
+      return InvalidInput(std::string(names::MissingVolume) + " of triangle " + std::to_string(i / 2) +
+                          " is not a finite number: run Multimaterial Marching Cubes again");
+    }
+    surface.missing.push_back({ { flat[i], flat[i + 1] } });
   }
   return status;
 }
@@ -249,6 +269,7 @@ Result<TriangleComplex> ReadSurface(vtkPolyData* input, Monitor& monitor)
   status =
     status ? (labels.empty() ? LabelPlainSurface(surface, monitor) : TakeLabels(labels, surface)) : status;
   status = status ? ReadPatches(input, surface) : status;
+  status = status ? ReadMissing(input, surface) : status;
   status = status ? ReadPointArrays(input, surface) : status;
   if (!status)
   {
@@ -281,6 +302,12 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   vtkCellData* cells = output->GetCellData();
   SetOrRemove<vtkIntArray>(cells, names::BoundaryLabels, labels, 2);
   SetOrRemove<vtkIntArray>(cells, names::PatchIds, surface.patches);
+  std::vector<double> missing;
+  for (const auto& both : surface.missing)
+  {
+    missing.insert(missing.end(), both.begin(), both.end());
+  }
+  SetOrRemove<vtkDoubleArray>(cells, names::MissingVolume, missing, 2);
   vtkPointData* points = output->GetPointData();
   SetOrRemove<vtkUnsignedCharArray>(points, names::JunctionOrder, surface.junctionOrder);
   SetOrRemove<vtkUnsignedCharArray>(points, names::JunctionKind, surface.junctionKind);

@@ -34,7 +34,10 @@ Figures FiguresOf(const AuditReport& r)
            { "interfaceTriangles", n(r.interfaceTriangles) },
            { "interfaceMismatches", n(r.interfaceMismatches) },
            { "overlaps", n(r.overlaps) },
-           { "largestVolumeError", r.largestVolumeError } };
+           { "largestVolumeError", r.largestVolumeError },
+           { "surfaceIntersectingPairs", r.carriedPairs },
+           { "surfaceLeastClearance", r.carriedClearance },
+           { "surfaceLeastAngle", r.carriedAngle } };
 }
 
 Figures FiguresOf(const MaterialAudit& m)
@@ -46,6 +49,8 @@ Figures FiguresOf(const MaterialAudit& m)
            { "components", n(m.components) },
            { "meshVolume", m.meshVolume },
            { "surfaceVolume", m.surfaceVolume },
+           { "imageVolume", m.imageVolume },
+           { "againstImage", m.meshVolume / m.imageVolume - 1 },
            { "tetQualityMin", m.tetQualityMin },
            { "tetQualityP1", m.tetQualityP1 },
            { "tetQualityP50", m.tetQualityP50 },
@@ -179,14 +184,18 @@ Figures FiguresOf(const SurfaceAuditReport& r)
            { "flatTriangles", n(r.flatTriangles) },
            { "duplicatePoints", n(r.duplicatePoints) },
            { "unusedPoints", n(r.unusedPoints) },
-           { "intersectingPairs", n(r.intersectingPairs) } };
+           { "intersectingPairs", n(r.intersectingPairs) },
+           { "leastClearance", r.leastClearance },
+           { "leastAngle", r.leastAngle } };
 }
 
 Figures FiguresOf(const MaterialSurfaceAudit& m)
 {
   return { { "triangles", static_cast<double>(m.triangles) },
            { "openEdges", static_cast<double>(m.openEdges) },
-           { "surfaceVolume", m.volume } };
+           { "surfaceVolume", m.volume },
+           { "imageVolume", m.imageVolume },
+           { "againstImage", m.volume / m.imageVolume - 1 } };
 }
 
 void AddFigures(Report& report, const Figures& figures)

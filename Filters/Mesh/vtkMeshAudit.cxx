@@ -17,6 +17,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -42,6 +43,39 @@ lamina::Result<lamina::LabelImage> ReadImage(vtkImageData* image)
   const auto scalars = lamina::FindScalars(image, lamina::names::MaterialIds, "Multimaterial Segmentation");
   return scalars ? lamina::ReadLabels(image, *scalars)
                  : lamina::Result<lamina::LabelImage>(scalars.GetError());
+}
+
+/// Tell the volumes of the image's voxels, where they have travelled along, in the lengths of the mesh.
+template<typename AuditT>
+void TakeImageVolumes(vtkFieldData* data, double scale, AuditT& report)
+{
+  vtkDataArray* volumes = data->GetArray(lamina::names::ImageVolumes);
+  for (vtkIdType i = 0; volumes && volumes->GetNumberOfComponents() == 2 && i < volumes->GetNumberOfTuples();
+       ++i)
+  {
+    for (auto& material : report.materials)
+    {
+      if (material.material == volumes->GetComponent(i, 0))
+      {
+        material.imageVolume = volumes->GetComponent(i, 1) * scale * scale * scale;
+      }
+    }
+  }
+}
+
+void TakeFigure(vtkFieldData* data, const char* name, double scale, double& figure)
+{
+  vtkDataArray* array = data->GetArray(name);
+  figure = array && array->GetNumberOfValues() == 1 ? scale * array->GetComponent(0, 0) : figure;
+}
+
+/// What travelled with the mesh, or failing that with the surface.
+void TakeWhatTravelled(vtkFieldData* data, double scale, lamina::AuditReport& report)
+{
+  TakeImageVolumes(data, scale, report);
+  TakeFigure(data, lamina::names::IntersectingPairs, 1, report.carriedPairs);
+  TakeFigure(data, lamina::names::LeastClearance, scale, report.carriedClearance);
+  TakeFigure(data, lamina::names::LeastAngle, 1, report.carriedAngle);
 }
 
 } // namespace
@@ -155,11 +189,16 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     const lamina::GridAuditInput all{ &*mesh, withSurface ? &interfaces : nullptr,
                                       labels->labels.empty() ? nullptr : &*labels,
                                       hasPatches ? &patches : nullptr };
-    const auto audit = lamina::AuditWholeGrid(all, options, monitor);
+    auto audit = lamina::AuditWholeGrid(all, options, monitor);
     if (!audit)
     {
       return audit.GetError();
     }
+    if (withSurface)
+    {
+      TakeWhatTravelled(surface->GetFieldData(), this->SurfaceScale, audit->report);
+    }
+    TakeWhatTravelled(input->GetFieldData(), this->SurfaceScale, audit->report);
     vtkCellData* cells = output->GetCellData();
     lamina::SetOrRemove<vtkDoubleArray>(cells, lamina::names::MeshQuality, audit->marks.quality);
     lamina::SetOrRemove<vtkUnsignedCharArray>(cells, lamina::names::MeshingFlags, audit->marks.flags);
@@ -183,11 +222,12 @@ int vtkMeshAudit::AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable*
       return surface.GetError();
     }
     std::vector<unsigned char> flags;
-    const auto report = lamina::AuditSurface(*surface, flags, monitor);
+    auto report = lamina::AuditSurface(*surface, flags, monitor);
     if (!report)
     {
       return report.GetError();
     }
+    TakeImageVolumes(input->GetFieldData(), 1, *report);
     lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetCellData(), lamina::names::MeshingFlags, flags);
     lamina::FillTable(*report, table);
     this->Passed = report->Passed();

@@ -7,6 +7,7 @@
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
+#include "SurfaceFigures.h"
 
 #include "Surface/RefineSurface.h"
 
@@ -112,6 +113,7 @@ int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector*
       flags[static_cast<std::size_t>(p)] = lamina::FlagHiddenNode;
     }
     lamina::SetOrRemove<vtkUnsignedCharArray>(output->GetPointData(), lamina::names::MeshingFlags, flags);
+    lamina::WriteCertificate(lamina::Certify(*surface, monitor), output);
     lamina::AttachReport(output, "SurfaceRefinement", Describe(*report));
     return lamina::Done{};
   };

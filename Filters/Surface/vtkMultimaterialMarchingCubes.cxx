@@ -7,6 +7,7 @@
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
+#include "SurfaceFigures.h"
 
 #include "Surface/ExtractInterfaces.h"
 
@@ -33,7 +34,9 @@ lamina::Report Describe(const lamina::ExtractInterfacesReport& report)
     .Add("openings", report.openings)
     .Add("repairedVoxels", report.repairedVoxels)
     .Add("repairedPlaces", report.repairedPlaces)
-    .Add("materials", report.materials);
+    .Add("lostVoxels", report.lostVoxels)
+    .Add("materials", report.materials)
+    .Add("imageVolumes", report.imageVolumes);
 }
 
 std::vector<int> MaterialsIn(const lamina::LabelImage& image)
@@ -170,6 +173,7 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
       return report.GetError();
     }
     lamina::WriteSurface(surface, output);
+    lamina::WriteImageVolumes(report->materials, report->imageVolumes, output);
     lamina::AttachReport(output, "MultimaterialMarchingCubes", Describe(*report));
     return lamina::Done{};
   };

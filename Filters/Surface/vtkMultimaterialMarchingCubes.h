@@ -11,7 +11,10 @@
  * Output: vtkPolyData of triangles with BoundaryLabels (int x2: the normal points from component 0 to
  * component 1, background is component 1, else ascending) and PatchIds (int, 0 a wall, else an opening; names
  * in the field data PatchNames) on the triangles, JunctionOrder and JunctionKind (unsigned char) on the
- * points. Points are doubles in world coordinates, in the image's unit of length.
+ * points. MissingVolume (double x2) on the triangles, where labels were repaired: the volume that the first
+ * and the second material have in the image and lack there, in cubes of the square root of the triangle's
+ * area; vtkVolumeConservingSmoothing gives it back. ImageVolumes in the field data: material ids and the
+ * volumes of their voxels. Points are doubles in world coordinates, in the image's unit of length.
  *
  * Marching cubes for any number of materials in the manner of S. Wu and J. M. Sullivan, Multiple material
  * marching cubes algorithm, Int. J. Numer. Meth. Eng. 58 (2003) 189-207, doi:10.1002/nme.775: points are

@@ -5,6 +5,7 @@
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
+#include "SurfaceFigures.h"
 
 #include "Surface/SmoothSurface.h"
 
@@ -20,6 +21,17 @@ namespace
 
 lamina::Report Describe(const lamina::SmoothSurfaceReport& report)
 {
+  std::vector<lamina::Report> missed;
+  constexpr std::size_t most = 100;
+  for (std::size_t i = 0; i < report.missedPieces.size() && i < most; ++i)
+  {
+    const lamina::PieceVolume& piece = report.missedPieces[i];
+    missed.push_back(lamina::Report()
+                       .Add("material", piece.material)
+                       .Add("target", piece.target)
+                       .Add("volume", piece.volume)
+                       .Add("place", std::vector<lamina::Vec3>{ piece.place }));
+  }
   return lamina::Report()
     .Add("sweeps", report.sweepsDone)
     .Add("movesRefused", report.movesRefused)
@@ -27,7 +39,17 @@ lamina::Report Describe(const lamina::SmoothSurfaceReport& report)
     .Add("largestVolumeChange", report.largestVolumeChange)
     .Add("materials", report.materials)
     .Add("volumesBefore", report.volumesBefore)
-    .Add("volumesAfter", report.volumesAfter);
+    .Add("volumesHeld", report.volumesHeld)
+    .Add("volumesAfter", report.volumesAfter)
+    .Add("pieces", report.pieces)
+    .Add("largestPieceError", report.largestPieceError)
+    .Add("piecesMissed", static_cast<lamina::Id>(report.missedPieces.size()))
+    .Add("missedPieces", missed)
+    .Add("faultyEdges", report.faultyEdges)
+    .Add("faultyPairs", report.faultyPairs)
+    .Add("intersectingPairs", report.certificate.intersectingPairs)
+    .Add("leastClearance", report.certificate.leastClearance)
+    .Add("leastAngle", report.certificate.leastAngle);
 }
 
 } // namespace
@@ -53,7 +75,10 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
     options.sweeps = this->Sweeps;
     options.relaxation = this->Relaxation;
     options.largestDrift = this->LargestDrift;
+    options.largestDisplacement = this->LargestDisplacement;
     options.wavelength = this->Wavelength;
+    options.settled = this->Settled;
+    options.acceptFaults = this->AcceptFaults;
     const auto report = lamina::SmoothSurface(*surface, options, monitor);
     if (!report)
     {
@@ -67,6 +92,7 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
     surface->maximumCurvatureDirection.clear();
     output->ShallowCopy(input);
     lamina::WriteSurface(*surface, output);
+    lamina::WriteCertificate(report->certificate, output);
     lamina::AttachReport(output, "VolumeConservingSmoothing", Describe(*report));
     return lamina::Done{};
   };
@@ -79,5 +105,8 @@ void vtkVolumeConservingSmoothing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "Relaxation: " << this->Relaxation << "\n";
   os << indent << "LargestDrift: " << this->LargestDrift << "\n";
+  os << indent << "LargestDisplacement: " << this->LargestDisplacement << "\n";
   os << indent << "Wavelength: " << this->Wavelength << "\n";
+  os << indent << "Settled: " << this->Settled << "\n";
+  os << indent << "AcceptFaults: " << this->AcceptFaults << "\n";
 }

@@ -7,8 +7,9 @@
  * surface of one orientation, which is taken as material 1 in background.
  *
  * Output: the same triangles with moved points; arrays on points and triangles pass through, but for
- * FeatureSize, MaterialFeatureSize, TargetEdgeLength and the curvatures, which no longer fit. Lengths are in
- * the unit of the input.
+ * FeatureSize, MaterialFeatureSize, TargetEdgeLength, the curvatures and MissingVolume, which no longer fit.
+ * Field data: IntersectingPairs, LeastClearance and LeastAngle of the result. Lengths are in the unit of the
+ * input.
  *
  * Edge relaxation that conserves volume: A. Kuprat, A. Khamayseh, D. George and L. Larkey, Volume conserving
  * smoothing for piecewise linear curves, surfaces, and triple lines, J. Comput. Phys. 172 (2001) 99-118,
@@ -17,9 +18,12 @@
  * (M. Desbrun, M. Meyer, P. Schroeder and A. H. Barr, SIGGRAPH 1999) between the sweeps, inside the same
  * bounds.
  *
- * The volume of each material changes by less than 1e-10 of itself. No two triangles intersect afterwards,
- * tested exactly. Points of junction curves and of border planes stay on them. The result does not depend on
- * the number of threads.
+ * Every connected piece of a material ends with the volume of its voxels in the image, where the surface
+ * comes from vtkMultimaterialMarchingCubes, else with the one it came with: to 1e-12 of itself or of 100
+ * voxels. Small pieces that would need unsafe moves miss theirs and are listed in the report. No two
+ * triangles intersect afterwards, tested exactly; sheets that face each other stay a quarter voxel apart, or
+ * half of their first distance; triangles at an edge do not close below 45 degrees. Points of junction curves
+ * and of border planes stay on them. The result does not depend on the number of threads.
  *
  * @warning Features of one or two voxels lose their edges but keep their volume: they become rounder and
  * longer or shorter.
@@ -74,6 +78,34 @@ public:
   vtkGetMacro(Wavelength, double);
   ///@}
 
+  ///@{
+  /**
+   * How far a point may end from its start in any direction, in mean edge lengths; above 0. Default: 1.5.
+   */
+  vtkSetMacro(LargestDisplacement, double);
+  vtkGetMacro(LargestDisplacement, double);
+  ///@}
+
+  ///@{
+  /**
+   * Sweeping ends before Sweeps when the points move less than this in a sweep, root mean square, in voxels
+   * (0.88 mean edge lengths); 0 or more, 0: never. Default: 0.002.
+   */
+  vtkSetMacro(Settled, double);
+  vtkGetMacro(Settled, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to smooth a surface that is open, meets itself or intersects: points at such places stay, no
+   * intersections are added, and volumes are held as far as they are defined. Default: off, an error that
+   * tells where.
+   */
+  vtkSetMacro(AcceptFaults, bool);
+  vtkGetMacro(AcceptFaults, bool);
+  vtkBooleanMacro(AcceptFaults, bool);
+  ///@}
+
 protected:
   vtkVolumeConservingSmoothing() = default;
   ~vtkVolumeConservingSmoothing() override = default;
@@ -87,7 +119,10 @@ private:
   int Sweeps = 20;
   double Relaxation = 1.0;
   double LargestDrift = 0.75;
+  double LargestDisplacement = 1.5;
   double Wavelength = 10;
+  double Settled = 0.002;
+  bool AcceptFaults = false;
 };
 
 #endif

@@ -210,3 +210,59 @@ TEST(EdgeRelaxation, APlaneSheetStaysPlane)
   }
   EXPECT_GT(tested, 10);
 }
+
+TEST(EdgeRelaxation, CurvesOfFourMaterials)
+{
+  // Four quadrants meet in a zigzag: both ends of its edges have to move on their own.
+  ThreadMonitor monitor;
+  const LabelImage image = images::MakeCentred(
+    14, [](double x, double y, double z)
+    { return x * x + y * y > 25 || std::abs(z) > 5 ? 0 : (x < 0 ? (y < 0 ? 1 : 2) : (y < 0 ? 3 : 4)); });
+  TriangleComplex surface;
+  ASSERT_TRUE(ExtractInterfaces(image, surface, {}, monitor));
+  std::vector<Id> curve;
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    if (surface.junctionOrder[p] == 4 && surface.junctionKind[p] == JunctionCurve)
+    {
+      surface.points[p] += (curve.size() % 2 ? 0.2 : -0.2) * Vec3{ 1, 0.4, 0 };
+      curve.push_back(static_cast<Id>(p));
+    }
+  }
+  ASSERT_GT(curve.size(), 6u);
+  const auto zigzag = [&]()
+  {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < curve.size(); ++i)
+    {
+      const auto x = [&](std::size_t j) { return surface.points[static_cast<std::size_t>(curve[j])]; };
+      sum += Norm2(x(i) - 0.5 * (x(i - 1) + x(i + 1)));
+    }
+    return std::sqrt(sum);
+  };
+  const std::vector<int> materials = MaterialsOf(surface);
+  const std::vector<double> before = MaterialVolumes(surface, materials);
+  const SmoothingState state(surface);
+  const double rough = zigzag();
+  int done = 0;
+  for (int sweep = 0; sweep < 10; ++sweep)
+  {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    {
+      Relaxation r;
+      if (RelaxEdge(state, curve[i], curve[i + 1], 1, r) && Norm(r.moveA) + Norm(r.moveB) < 1)
+      {
+        ++done;
+        surface.points[static_cast<std::size_t>(r.a)] += r.moveA;
+        surface.points[static_cast<std::size_t>(r.b)] += r.moveB;
+      }
+    }
+  }
+  EXPECT_GT(done, 30);
+  EXPECT_LT(zigzag(), 0.5 * rough);
+  const std::vector<double> after = MaterialVolumes(surface, materials);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+  {
+    EXPECT_NEAR(after[m], before[m], 1e-12 * before[m]) << materials[m];
+  }
+}

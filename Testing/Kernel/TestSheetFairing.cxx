@@ -56,8 +56,11 @@ TEST(SheetFairing, WavesGoByTheirLength)
   {
     const double height = 0.01;
     const double levelled = 12;
-    const TriangleComplex square = WavySquare(n, length, height);
-    const SheetFairing fairing(square);
+    TriangleComplex square = WavySquare(n, length, height);
+    ClassifyJunctions(square);
+    ThreadMonitor monitor(2);
+    const SmoothingState state(square);
+    const SheetFairing fairing(state, monitor);
     const auto offsets =
       fairing.Offsets(std::vector<Vec3>(square.points.size(), { 0, 0, 1 }), All(square, 1), levelled);
     const double kept = 1 / (1 + std::pow(levelled / length, 4));
@@ -79,7 +82,10 @@ TEST(SheetFairing, SpheresStay)
   {
     normals.push_back(Normalized(p));
   }
-  const SheetFairing fairing(sphere);
+  ClassifyJunctions(sphere);
+  ThreadMonitor monitor(2);
+  const SmoothingState state(sphere);
+  const SheetFairing fairing(state, monitor);
   const auto offsets = fairing.Offsets(normals, All(sphere, 1), 10);
   double volume = 0;
   for (std::size_t p = 0; p < offsets.size(); ++p)
@@ -93,8 +99,11 @@ TEST(SheetFairing, SpheresStay)
 
 TEST(SheetFairing, HeldPointsStay)
 {
-  const TriangleComplex square = WavySquare(12, 6, 0.1);
-  const SheetFairing fairing(square);
+  TriangleComplex square = WavySquare(12, 6, 0.1);
+  ClassifyJunctions(square);
+  ThreadMonitor monitor(2);
+  const SmoothingState state(square);
+  const SheetFairing fairing(state, monitor);
   std::vector<char> free = All(square, 1);
   free[80] = 0;
   const std::vector<Vec3> up(square.points.size(), { 0, 0, 1 });
@@ -104,8 +113,11 @@ TEST(SheetFairing, HeldPointsStay)
 
 TEST(SheetFairing, SpreadVolumesAddUp)
 {
-  const TriangleComplex square = WavySquare(20, 7, 0.1);
-  const SheetFairing fairing(square);
+  TriangleComplex square = WavySquare(20, 7, 0.1);
+  ClassifyJunctions(square);
+  ThreadMonitor monitor(2);
+  const SmoothingState state(square);
+  const SheetFairing fairing(state, monitor);
   std::vector<char> free = All(square, 1);
   for (std::size_t p = 0; p < free.size(); p += 5)
   {

@@ -24,7 +24,8 @@ TriangleComplex Extract(const LabelImage& image)
   return surface;
 }
 
-/// Smooths, and expects volumes kept to a part in 10^12, no intersections and the same triangles.
+/// Smooths, and expects the volumes that are held to a part in 10^12, no intersections and the same
+/// triangles.
 SmoothSurfaceReport SmoothAndCheck(TriangleComplex& surface, const std::string& what)
 {
   ThreadMonitor monitor(2);
@@ -35,17 +36,24 @@ SmoothSurfaceReport SmoothAndCheck(TriangleComplex& surface, const std::string& 
   {
     return {};
   }
-  EXPECT_EQ(report->sweepsDone, 20) << what;
+  EXPECT_GE(report->sweepsDone, 12) << what;
   EXPECT_EQ(report->materials, MaterialsOf(surface)) << what;
   const auto old = MaterialVolumes(before, report->materials);
   const auto now = MaterialVolumes(surface, report->materials);
   for (std::size_t m = 0; m < now.size(); ++m)
   {
-    EXPECT_NEAR(now[m], old[m], 1e-12 * old[m]) << what << ", material " << report->materials[m];
+    // A repaired image has other volumes; what of small pieces is out of reach is told.
+    const double most = report->missedPieces.empty() ? 1e-12 * old[m] : 100;
+    EXPECT_NEAR(now[m], report->volumesHeld[m], most) << what << ", material " << report->materials[m];
+    if (before.missing.empty())
+    {
+      EXPECT_NEAR(now[m], old[m], 1e-12 * old[m]) << what << ", material " << report->materials[m];
+    }
   }
   EXPECT_EQ(report->volumesBefore, old) << what;
   EXPECT_EQ(report->volumesAfter, now) << what;
-  EXPECT_LT(report->largestVolumeChange, 1e-12) << what;
+  EXPECT_LT(report->largestPieceError, 1e-12) << what;
+  EXPECT_TRUE(surface.missing.empty()) << what;
   EXPECT_EQ(FindIntersections(surface.points, surface.triangles, monitor).size(), 0u) << what;
   EXPECT_EQ(surface.triangles, before.triangles) << what;
   EXPECT_EQ(surface.materials, before.materials) << what;
@@ -132,6 +140,64 @@ TEST(SmoothSurface, CappedSectors)
 {
   TriangleComplex surface = Extract(images::Sectors(16, 6.3, true));
   SmoothAndCheck(surface, "capped sectors");
+}
+
+TEST(SmoothSurface, FourBallsThatMeet)
+{
+  // Each voxel belongs to the nearest of four balls around a tetrahedron's corners: curves of three materials
+  // and more meet in the middle.
+  const LabelImage image = images::MakeCentred(
+    22,
+    [](double x, double y, double z)
+    {
+      const Vec3 p{ x, y, z };
+      const double d = 2.9;
+      const std::array<Vec3, 4> centres{ { { d, d, d }, { d, -d, -d }, { -d, d, -d }, { -d, -d, d } } };
+      int nearest = 0;
+      double least = 5.3;
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        if (Norm(p - centres[c]) < least)
+        {
+          least = Norm(p - centres[c]);
+          nearest = static_cast<int>(c) + 1;
+        }
+      }
+      return nearest;
+    });
+  TriangleComplex surface = Extract(image);
+  const TriangleComplex before = surface;
+  SmoothAndCheck(surface, "four balls");
+  // The curves lose their steps: the turn at their points, before and after.
+  const EdgeTable table = MakeEdgeTable(surface.triangles);
+  std::vector<std::vector<Id>> along(surface.points.size());
+  for (std::size_t e = 0; e < table.edges.size(); ++e)
+  {
+    if (table.triangles.Count(static_cast<Id>(e)) > 2)
+    {
+      along[static_cast<std::size_t>(table.edges[e].a)].push_back(table.edges[e].b);
+      along[static_cast<std::size_t>(table.edges[e].b)].push_back(table.edges[e].a);
+    }
+  }
+  const auto turns = [&](const TriangleComplex& s)
+  {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t p = 0; p < along.size(); ++p)
+    {
+      if (along[p].size() == 2)
+      {
+        const auto x = [&](Id q) { return s.points[static_cast<std::size_t>(q)]; };
+        const Vec3 u = Normalized(s.points[p] - x(along[p][0]));
+        const Vec3 v = Normalized(x(along[p][1]) - s.points[p]);
+        sum += std::acos(std::min(1.0, Dot(u, v)));
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 30);
+    return sum / count;
+  };
+  EXPECT_LT(turns(surface), 0.5 * turns(before));
 }
 
 TEST(SmoothSurface, Noise)

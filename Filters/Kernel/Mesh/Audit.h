@@ -8,6 +8,7 @@
 #include "TriangleComplex.h"
 #include "VolumeMesh.h"
 
+#include <limits>
 #include <map>
 
 namespace lamina
@@ -62,6 +63,8 @@ struct MaterialAudit
   Id components = 0; ///< pieces connected through faces
   double meshVolume = 0;
   double surfaceVolume = 0; ///< NaN without a surface
+  /// Of its voxels in the image: not known to the audit, for those who hand it on. NaN: not known at all.
+  double imageVolume = std::numeric_limits<double>::quiet_NaN();
   double tetQualityMin = 1; ///< 3r/R
   double tetQualityP1 = 1;  ///< percentiles 1 and 50
   double tetQualityP50 = 1;
@@ -93,6 +96,11 @@ struct AuditReport
   Id wallMismatches = 0; ///< surface triangles on one meshed material without exactly one cell, on its side
   Id overlaps = 0;       ///< sample points in more than one cell, or in none where the surface says inside
   double largestVolumeError = 0; ///< relative
+  /// The certificate of the surface that the mesh was made from, where it has travelled along: not tested
+  /// here. NaN: not known.
+  double carriedPairs = std::numeric_limits<double>::quiet_NaN();
+  double carriedClearance = std::numeric_limits<double>::quiet_NaN();
+  double carriedAngle = std::numeric_limits<double>::quiet_NaN();
   std::vector<MaterialAudit> materials;
   std::vector<WorstCell> worst; ///< the ten of the least quality of each type
   std::map<int, Id>

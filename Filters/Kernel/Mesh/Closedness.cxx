@@ -133,6 +133,11 @@ std::optional<Error> CheckArrays(const TriangleComplex& surface)
                         std::to_string(surface.materials.size()) + " material pairs and " +
                         std::to_string(surface.patches.size()) + " patch ids");
   }
+  if (!surface.missing.empty() && surface.missing.size() != count)
+  {
+    return InvalidInput("the surface has " + std::to_string(count) + " triangles but " +
+                        std::to_string(surface.missing.size()) + " missing volumes");
+  }
   for (std::size_t p = 0; p < surface.points.size(); ++p)
   {
     if (!IsFinite(surface.points[p]))

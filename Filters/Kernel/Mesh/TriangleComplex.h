@@ -51,6 +51,11 @@ struct TriangleComplex
   std::vector<int> patches;            ///< one a triangle: 0 a wall, else an opening; empty means all 0
   std::vector<std::string> patchNames; ///< name of patch p at index p; may be empty
 
+  /// Empty or one a triangle: the volume that its first and its second material have in the image and lack
+  /// here, because the labels were repaired; in cubes of the square root of the triangle's area, so that it
+  /// holds at any scale.
+  std::vector<std::array<double, 2>> missing;
+
   // What travels with the points, each empty or one value a point.
   std::vector<unsigned char> junctionOrder; ///< number of materials that meet (background counts)
   std::vector<unsigned char> junctionKind;

@@ -70,17 +70,27 @@ Vec3 LocalOrigin(const std::vector<Vec3>& points)
   return 0.5 * (low + high);
 }
 
-double SixVolumes(const TriangleComplex& surface, const Triangle& t, const Vec3& origin)
+/// In long doubles: far from the origin the volumes of single triangles are large against that of a small
+/// piece.
+long double SixVolumes(const TriangleComplex& surface, const Triangle& t, const Vec3& origin)
 {
-  const Vec3 a = surface.points[static_cast<std::size_t>(t[0])] - origin;
-  const Vec3 b = surface.points[static_cast<std::size_t>(t[1])] - origin;
-  const Vec3 c = surface.points[static_cast<std::size_t>(t[2])] - origin;
-  return Dot(a, Cross(b, c));
+  std::array<std::array<long double, 3>, 3> x;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vec3& p = surface.points[static_cast<std::size_t>(t[k])];
+    for (int c = 0; c < 3; ++c)
+    {
+      x[k][static_cast<std::size_t>(c)] = static_cast<long double>(p[c]) - origin[c];
+    }
+  }
+  return x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) +
+         x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
+         x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
 }
 
 } // namespace
 
-SheetGraph MakeSheetGraph(const TriangleComplex& surface)
+SheetGraph MakeSheetGraph(const TriangleComplex& surface, bool background)
 {
   const std::size_t count = surface.triangles.size();
   const EdgeTable table = MakeEdgeTable(surface.triangles);
@@ -124,7 +134,7 @@ SheetGraph MakeSheetGraph(const TriangleComplex& surface)
       for (std::size_t side = 0; side < 2; ++side)
       {
         const int material = MaterialAt(surface, t, static_cast<int>(side));
-        if (material == 0)
+        if (material == 0 && !background)
         {
           continue;
         }
@@ -152,7 +162,7 @@ std::vector<double> ShellVolumes(const TriangleComplex& surface, const SheetGrap
   std::vector<long double> sums(static_cast<std::size_t>(graph.ShellCount()), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const double six = SixVolumes(surface, surface.triangles[t], origin);
+    const long double six = SixVolumes(surface, surface.triangles[t], origin);
     const auto& both = graph.shellsOfSheet[static_cast<std::size_t>(graph.sheetOfTriangle[t])];
     if (both[0] >= 0)
     {
@@ -177,10 +187,10 @@ std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::v
   std::vector<long double> sums(materials.size(), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    const double six = SixVolumes(surface, surface.triangles[t], origin);
+    const long double six = SixVolumes(surface, surface.triangles[t], origin);
     for (std::size_t m = 0; m < materials.size(); ++m)
     {
-      sums[m] += SideOf(surface.materials[t], materials[m]) * six;
+      sums[m] += static_cast<long double>(SideOf(surface.materials[t], materials[m])) * six;
     }
   }
   std::vector<double> volumes;

@@ -20,7 +20,8 @@ struct SheetGraph
 
   int ShellCount() const { return static_cast<int>(this->materialOfShell.size()); }
 };
-SheetGraph MakeSheetGraph(const TriangleComplex& surface);
+/// With `background`, material 0 has shells too.
+SheetGraph MakeSheetGraph(const TriangleComplex& surface, bool background = false);
 
 /// The signed volume enclosed by every shell (negative for a cavity), by the divergence theorem about a local
 /// origin.

@@ -14,7 +14,14 @@ double Clamp01(double t)
   return std::min(1.0, std::max(0.0, t));
 }
 
-double SegmentSegmentDistance2(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)
+bool ShareCorner(const Triangle& s, const Triangle& t)
+{
+  return std::any_of(s.begin(), s.end(), [&t](Id p) { return p == t[0] || p == t[1] || p == t[2]; });
+}
+
+} // namespace
+
+Vec3 SegmentConnection(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)
 {
   const Vec3 u = p2 - p;
   const Vec3 v = q2 - q;
@@ -32,15 +39,8 @@ double SegmentSegmentDistance2(const Vec3& p, const Vec3& p2, const Vec3& q, con
     t = Clamp01(t);
     s = a > 0 ? Clamp01((b * t - d) / a) : 0.0;
   }
-  return Norm2(w + s * u - t * v);
+  return w + s * u - t * v;
 }
-
-bool ShareCorner(const Triangle& s, const Triangle& t)
-{
-  return std::any_of(s.begin(), s.end(), [&t](Id p) { return p == t[0] || p == t[1] || p == t[2]; });
-}
-
-} // namespace
 
 double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t)
 {
@@ -53,7 +53,7 @@ double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<
     best = std::min(best, PointTriangleDistance2(t[i], s[0], s[1], s[2], closest, weights));
     for (std::size_t j = 0; j < 3; ++j)
     {
-      best = std::min(best, SegmentSegmentDistance2(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3]));
+      best = std::min(best, Norm2(SegmentConnection(s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3])));
     }
   }
   return best;

@@ -8,6 +8,9 @@
 namespace lamina
 {
 
+/// The shortest connection of segments (p, p2) and (q, q2), towards the first.
+Vec3 SegmentConnection(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2);
+
 /// Squared distance of two triangles that do not intersect.
 double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t);
 

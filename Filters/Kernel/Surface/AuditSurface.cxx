@@ -6,6 +6,7 @@
 #include "../Mesh/Closedness.h"
 #include "../Mesh/VolumeCorrection.h"
 #include "../Search/SelfIntersection.h"
+#include "Certificate.h"
 
 #include <algorithm>
 
@@ -54,8 +55,11 @@ void AuditMaterials(const TriangleComplex& surface, SurfaceAuditReport& report,
   for (std::size_t m = 0; m < ids.size(); ++m)
   {
     const auto bounds = [&](const MaterialPair& pair) { return SideOf(pair, ids[m]) != 0; };
-    report.materials.push_back(
-      { ids[m], std::count_if(surface.materials.begin(), surface.materials.end(), bounds), 0, volumes[m] });
+    MaterialSurfaceAudit audit;
+    audit.material = ids[m];
+    audit.triangles = std::count_if(surface.materials.begin(), surface.materials.end(), bounds);
+    audit.volume = volumes[m];
+    report.materials.push_back(audit);
   }
   const Lists triangles = TrianglesOfPoints(report.points, surface.triangles);
   std::vector<Vec3> places;
@@ -119,6 +123,8 @@ void AuditIntersections(const TriangleComplex& surface, SurfaceAuditReport& repo
     places.push_back(surface.points[At(surface.triangles[At(pair[0])][0])]);
   }
   report.intersectingPairs = static_cast<Id>(pairs.size());
+  report.leastClearance = pairs.empty() ? LeastClearance(surface, monitor) : 0;
+  report.leastAngle = LeastAngle(surface);
   AddFinding(report, report.intersectingPairs, "pairs of triangles that intersect", places);
 }
 

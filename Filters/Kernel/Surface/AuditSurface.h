@@ -7,6 +7,8 @@
 #include "../Base/Result.h"
 #include "../Mesh/TriangleComplex.h"
 
+#include <limits>
+
 namespace lamina
 {
 
@@ -16,6 +18,8 @@ struct MaterialSurfaceAudit
   Id triangles = 0;
   Id openEdges = 0;  ///< edges through which its triangles do not run equally often in both directions
   double volume = 0; ///< enclosed, by the divergence theorem
+  /// Of its voxels in the image: not known to the audit, for those who hand it on. NaN: not known at all.
+  double imageVolume = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct SurfaceAuditReport
@@ -25,7 +29,9 @@ struct SurfaceAuditReport
   Id flatTriangles = 0;   ///< without an area
   Id duplicatePoints = 0; ///< equal to another point, bit for bit
   Id unusedPoints = 0;
-  Id intersectingPairs = 0; ///< pairs of triangles that meet anywhere but in shared corners and edges
+  double leastClearance = 0; ///< as in SurfaceCertificate
+  double leastAngle = 0;     ///< degrees
+  Id intersectingPairs = 0;  ///< pairs of triangles that meet anywhere but in shared corners and edges
   std::vector<MaterialSurfaceAudit> materials; ///< ascending, background apart
   std::vector<std::string> findings;           ///< a sentence for each thing wrong, with the first places
   bool Passed() const { return this->findings.empty(); }

@@ -2,6 +2,7 @@
 #include "EdgeRelaxation.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace lamina
 {
@@ -9,7 +10,7 @@ namespace lamina
 namespace
 {
 
-constexpr int mostMaterials = 4; ///< around one edge; more leave no freedom
+constexpr int mostMaterials = 8; ///< around one edge; two points have six directions, for seven materials
 
 /// First-order change of six times a material's volume: by the first point, by the second, and the bilinear
 /// part.
@@ -123,6 +124,84 @@ bool SolveTranslation(const Vec3* g, const double* r, int count, const Freedom& 
     ++rank;
   }
   return true;
+}
+
+/// One linear condition on the moves of two points.
+struct Condition
+{
+  Vec3 first;
+  Vec3 second;
+  double value;
+};
+
+/// The moves of least norm that meet all conditions; false if they contradict each other.
+bool SolveBoth(std::vector<Condition> conditions, Vec3& moveA, Vec3& moveB)
+{
+  double scale2 = 0;
+  for (const Condition& c : conditions)
+  {
+    scale2 = std::max(scale2, Norm2(c.first) + Norm2(c.second));
+  }
+  moveA = {};
+  moveB = {};
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+  {
+    Condition& c = conditions[i];
+    const double n2 = Norm2(c.first) + Norm2(c.second);
+    if (n2 < 1e-4 * scale2)
+    {
+      if (std::abs(c.value) > 1e-13 * std::pow(scale2, 0.75))
+      {
+        return false;
+      }
+      continue;
+    }
+    moveA += (c.value / n2) * c.first;
+    moveB += (c.value / n2) * c.second;
+    for (std::size_t j = i + 1; j < conditions.size(); ++j)
+    {
+      const double along = (Dot(conditions[j].first, c.first) + Dot(conditions[j].second, c.second)) / n2;
+      conditions[j].first -= along * c.first;
+      conditions[j].second -= along * c.second;
+      conditions[j].value -= along * c.value;
+    }
+  }
+  return true;
+}
+
+/// Where no common translation restores all volumes, as on most curves of four materials: the two ends move
+/// on their own, by Newton's method for the volumes, which are bilinear in both moves.
+bool RestoreApart(const Gradients& gradients, const Freedom& freedom, Vec3& da, Vec3& db)
+{
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds; ++round)
+  {
+    std::vector<Condition> conditions;
+    double worst = 0;
+    double scale2 = 0;
+    for (int i = 0; i < gradients.count - 1; ++i)
+    {
+      const Gradient& m = gradients.list[static_cast<std::size_t>(i)];
+      const double six = Dot(da, m.first) + Dot(db, m.second) + Dot(da, Cross(db, m.both));
+      conditions.push_back({ freedom.Project(m.first + Cross(db, m.both)),
+                             freedom.Project(m.second + Cross(m.both, da)), -six });
+      worst = std::max(worst, std::abs(six));
+      scale2 = std::max(scale2, Norm2(m.first) + Norm2(m.second));
+    }
+    if (worst <= 1e-15 * std::pow(scale2, 0.75))
+    {
+      return true;
+    }
+    Vec3 a;
+    Vec3 b;
+    if (!SolveBoth(std::move(conditions), a, b))
+    {
+      return false;
+    }
+    da += a;
+    db += b;
+  }
+  return false;
 }
 
 /// The common case, a sheet between two materials: one condition, and the triangles' own orientation will do.
@@ -260,7 +339,12 @@ bool RelaxEdge(const SmoothingState& s, Id a, Id b, double weight, Relaxation& r
   Vec3 c;
   if (!SolveTranslation(g, r, conditions, freedom, c))
   {
-    return false;
+    if (b < 0 || !RestoreApart(gradients, freedom, da, db))
+    {
+      return false;
+    }
+    relaxation = { a, b, da, db };
+    return true;
   }
   relaxation = { a, b, da + c, b >= 0 ? db + c : Vec3{} };
   return true;

@@ -20,8 +20,9 @@ struct Relaxation
 /// ends (along the curve for points of a junction curve), scaled by `weight`, plus the least common
 /// translation that keeps the volume of every material around exactly. For two materials this is Algorithm 4,
 /// on a triple line Algorithm 6 of Kuprat, Khamayseh, George and Larkey (J. Comput. Phys. 172, 2001); here
-/// one formula serves any number of materials. Returns false where the conditions cannot be met by a small
-/// translation.
+/// one formula serves any number of materials. Where no common translation does, as on curves of four
+/// materials and more, the two ends move on their own by the least that does. Returns false where the
+/// conditions cannot be met by small moves.
 bool RelaxEdge(const SmoothingState& state, Id a, Id b, double weight, Relaxation& relaxation);
 
 } // namespace lamina

@@ -4,6 +4,7 @@
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/WellComposed.h"
 #include "MaskCut.h"
+#include "RepairBooks.h"
 
 #include <algorithm>
 #include <map>
@@ -41,6 +42,8 @@ public:
   void NumberPoints(TriangleComplex& surface);
   void MakeTriangles(TriangleComplex& surface);
   Id NamePatches(TriangleComplex& surface);
+  /// Note on the triangles what the repair of the labels owes to their materials.
+  void BookClaims(const std::vector<RepairClaim>& claims, TriangleComplex& surface) const;
 
 private:
   int Label(const std::array<Id, 3>& v, bool& outside) const
@@ -280,6 +283,33 @@ Id Extraction::NamePatches(TriangleComplex& surface)
   return static_cast<Id>(openings.size());
 }
 
+void Extraction::BookClaims(const std::vector<RepairClaim>& claims, TriangleComplex& surface) const
+{
+  if (claims.empty())
+  {
+    return;
+  }
+  surface.missing.assign(surface.triangles.size(), { { 0, 0 } });
+  const auto before = [](const Face& face, const RepairClaim& claim)
+  {
+    const auto& a = face.corner;
+    const auto& b = claim.corner;
+    return std::array<Id, 4>{ a[2], a[1], a[0], face.axis } <
+           std::array<Id, 4>{ b[2], b[1], b[0], claim.axis };
+  };
+  for (const RepairClaim& claim : claims)
+  {
+    const auto face = std::lower_bound(this->Faces.begin(), this->Faces.end(), claim, before);
+    for (std::size_t half = 0; half < 2; ++half)
+    {
+      const std::size_t t = 2 * static_cast<std::size_t>(face - this->Faces.begin()) + half;
+      const double area = 0.5 * Norm(AreaVector2(surface.points, surface.triangles[t]));
+      surface.missing[t][surface.materials[t].first == claim.material ? 0 : 1] +=
+        0.5 * claim.voxels * this->Image.grid.VoxelVolume() / (area * std::sqrt(area));
+    }
+  }
+}
+
 Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const ExtractInterfacesOptions& options)
 {
   const auto& size = image.grid.size;
@@ -312,6 +342,22 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
   return ExtractInterfacesReport{};
 }
 
+std::vector<double> ImageVolumes(const LabelImage& image, const std::vector<int>& materials)
+{
+  std::vector<Id> voxels(65536, 0);
+  for (const int label : image.labels)
+  {
+    ++voxels[static_cast<std::size_t>(label)];
+  }
+  std::vector<double> volumes;
+  for (const int material : materials)
+  {
+    volumes.push_back(static_cast<double>(voxels[static_cast<std::size_t>(material)]) *
+                      image.grid.VoxelVolume());
+  }
+  return volumes;
+}
+
 } // namespace
 
 Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, TriangleComplex& surface,
@@ -330,6 +376,7 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     cut = CutMaterialsAtMask(labels, *options.mask, options.openMaterials);
   }
+  const LabelImage first = labels;
   SubMonitor early(monitor, 0, 0.4);
   const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), early).changed;
   report.repairedVoxels = static_cast<Id>(repaired.size());
@@ -351,6 +398,9 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   extraction.NumberPoints(surface);
   monitor.Progress(0.6, "extracting interfaces");
   extraction.MakeTriangles(surface);
+  const RepairBooks books = BookRepair(first, labels, repaired);
+  extraction.BookClaims(books.claims, surface);
+  report.lostVoxels = books.lostVoxels;
   report.openings = extraction.NamePatches(surface);
   if (monitor.Cancelled())
   {
@@ -361,6 +411,7 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   report.points = static_cast<Id>(surface.points.size());
   report.triangles = static_cast<Id>(surface.triangles.size());
   report.materials = MaterialsOf(surface);
+  report.imageVolumes = ImageVolumes(first, report.materials);
   const EdgeTable table = MakeEdgeTable(surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e)
   {

@@ -30,7 +30,11 @@ struct ExtractInterfacesReport
   /// Voxels relabelled because no manifold surface could have passed between them (edge or corner contacts).
   Id repairedVoxels = 0;
   std::vector<Vec3> repairedPlaces;
-  std::vector<int> materials; ///< ids present, background apart
+  /// Voxels of pieces that the repair removed whole. What it took from other pieces is noted on the triangles
+  /// (TriangleComplex::missing), and smoothing gives it back.
+  Id lostVoxels = 0;
+  std::vector<int> materials;       ///< ids present, background apart
+  std::vector<double> imageVolumes; ///< of their voxels before the repair, one a material
 };
 
 /// Extract the interface surfaces of `image` into `surface`. Each material's boundary is closed and

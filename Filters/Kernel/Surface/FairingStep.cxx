@@ -72,7 +72,7 @@ public:
     }
   }
 
-  void Level(double wavelength);
+  void Level(double wavelength, Monitor& monitor);
   void KeepTriangles(Monitor& monitor);
   /// One flag a point that this step must not move.
   std::vector<char> Held() const
@@ -130,9 +130,9 @@ void Step::Shorten()
   }
 }
 
-void Step::Level(double wavelength)
+void Step::Level(double wavelength, Monitor& monitor)
 {
-  const SheetFairing fairing(this->State.surface);
+  const SheetFairing fairing(this->State, monitor);
   this->Offsets = fairing.Offsets(this->Normals, this->Free, wavelength);
   this->Shorten();
   // What is held back, and what does not move at all, leaves a surplus beside it. Without it the moves add up
@@ -201,9 +201,74 @@ std::vector<char> LevelWaves(SmoothingState& state, const MoveGuard& guard, doub
                              Monitor& monitor)
 {
   Step step(state, guard, wavelength);
-  step.Level(wavelength);
+  step.Level(wavelength, monitor);
   step.KeepTriangles(monitor);
   return step.Held();
+}
+
+void MoveSafely(SmoothingState& state, const MoveGuard& guard, std::vector<Vec3> moves,
+                std::vector<char>& held, Monitor& monitor)
+{
+  std::vector<Vec3>& points = state.surface.points;
+  const std::vector<Vec3> before = points;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    points[p] += moves[p];
+  }
+  std::vector<char> times(points.size(), 0);
+  // Cancelling leaves loops unfinished, and an unfinished test proves nothing: then all is put back.
+  for (std::vector<Id> bad = guard.Offending(before, monitor); !bad.empty() && !monitor.Cancelled();
+       bad = guard.Offending(before, monitor))
+  {
+    for (const Id offender : bad)
+    {
+      const auto p = static_cast<std::size_t>(offender);
+      held[p] = 1;
+      moves[p] = ++times[p] < 3 ? 0.5 * moves[p] : Vec3{};
+      points[p] = before[p] + moves[p];
+    }
+  }
+  if (monitor.Cancelled())
+  {
+    points = before;
+  }
+}
+
+void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vector<double>& volumes,
+                   double distance, Monitor& monitor)
+{
+  const TriangleComplex& surface = state.surface;
+  std::vector<Vec3> normals(surface.points.size());
+  std::vector<char> free(surface.points.size(), 0);
+  for (std::size_t p = 0; p < free.size(); ++p)
+  {
+    free[p] = surface.junctionKind[p] == JunctionSheet && state.freedom[p].dimensions == 3 ? 1 : 0;
+  }
+  std::vector<double> sources(surface.points.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const Triangle& triangle = surface.triangles[t];
+    const Vec3 area = AreaVector2(surface.points, triangle);
+    double corners = 0;
+    for (const Id p : triangle)
+    {
+      normals[static_cast<std::size_t>(p)] += area;
+      corners += free[static_cast<std::size_t>(p)];
+    }
+    for (const Id p : triangle)
+    {
+      const bool takes = free[static_cast<std::size_t>(p)] != 0;
+      sources[static_cast<std::size_t>(p)] += takes ? volumes[t] / corners : 0;
+    }
+  }
+  const std::vector<double> offsets = SheetFairing(state, monitor).Spread(sources, free, distance);
+  std::vector<Vec3> moves(offsets.size());
+  for (std::size_t p = 0; p < moves.size(); ++p)
+  {
+    moves[p] = offsets[p] * Normalized(normals[p]);
+  }
+  std::vector<char> held(moves.size(), 0);
+  MoveSafely(state, guard, std::move(moves), held, monitor);
 }
 
 } // namespace lamina

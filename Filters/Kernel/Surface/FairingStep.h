@@ -17,4 +17,14 @@ namespace lamina
 std::vector<char> LevelWaves(SmoothingState& state, const MoveGuard& guard, double wavelength,
                              Monitor& monitor);
 
+/// Moves the points inside the sheets along their normals, by volumes that are given for triangles (towards
+/// the normal) and spread over about `distance`, as far as the guard allows.
+void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vector<double>& volumes,
+                   double distance, Monitor& monitor);
+
+/// Moves all points at once; those that offend go half as far, twice, then stay, until the guard has nothing
+/// to say. Flags the points that did not go all the way in `held` (one a point).
+void MoveSafely(SmoothingState& state, const MoveGuard& guard, std::vector<Vec3> moves,
+                std::vector<char>& held, Monitor& monitor);
+
 } // namespace lamina

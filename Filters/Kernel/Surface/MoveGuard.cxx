@@ -21,9 +21,9 @@ constexpr double flattestFold =
 
 } // namespace
 
-MoveGuard::MoveGuard(const SmoothingState& state, double largestDrift)
+MoveGuard::MoveGuard(const SmoothingState& state, const DriftCaps& caps)
   : State(state)
-  , LargestDrift(largestDrift)
+  , Caps(caps)
   , Origin(state.surface.points)
   , OriginNormal(state.surface.points.size())
 {
@@ -105,8 +105,8 @@ bool MoveGuard::StaysNear(Id p, const Vec3& place) const
   const auto v = static_cast<std::size_t>(p);
   const Vec3 drift = place - this->Origin[v];
   return IsFinite(place) && Norm2(place - this->Anchor[v]) <= this->Radii[v] * this->Radii[v] &&
-         std::abs(Dot(drift, this->OriginNormal[v])) <= this->LargestDrift &&
-         Norm2(drift) <= 4 * this->LargestDrift * this->LargestDrift;
+         std::abs(Dot(drift, this->OriginNormal[v])) <= this->Caps.alongNormal &&
+         Norm2(drift) <= this->Caps.inAll * this->Caps.inAll;
 }
 
 bool MoveGuard::Keeps(Id t, const Vec3& a, const Vec3& b, const Vec3& c) const
@@ -124,6 +124,89 @@ bool MoveGuard::KeepsTriangle(Id t) const
   const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(t)];
   const auto x = [&](Id p) { return this->State.surface.points[static_cast<std::size_t>(p)]; };
   return this->Keeps(t, x(tri[0]), x(tri[1]), x(tri[2]));
+}
+
+/// True if two triangles at the edge stand closer than they may and closer than they did at `before`.
+bool MoveGuard::Closes(Id e, const std::vector<Vec3>& before) const
+{
+  const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
+  const auto direction = [&](Id triangle, const std::vector<Vec3>& x)
+  {
+    const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
+    const Vec3& a = x[static_cast<std::size_t>(edge.a)];
+    const Vec3 u = Normalized(x[static_cast<std::size_t>(edge.b)] - a);
+    const Vec3 w = x[static_cast<std::size_t>(tri[0] + tri[1] + tri[2] - edge.a - edge.b)] - a;
+    return Normalized(w - Dot(w, u) * u);
+  };
+  const ListRow row = Row(this->State.table.triangles, e);
+  for (const Id* s = row.first; s != row.last; ++s)
+  {
+    for (const Id* t = s + 1; t != row.last; ++t)
+    {
+      const double now =
+        Dot(direction(*s, this->State.surface.points), direction(*t, this->State.surface.points));
+      if (now > -flattestFold && now > Dot(direction(*s, before), direction(*t, before)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<Id> MoveGuard::Offending(const std::vector<Vec3>& before, Monitor& monitor) const
+{
+  const std::vector<Vec3>& points = this->State.surface.points;
+  const auto moved = [&](Id p)
+  { return !(points[static_cast<std::size_t>(p)] == before[static_cast<std::size_t>(p)]); };
+  std::vector<char> far(points.size(), 0);
+  monitor.For(static_cast<Id>(points.size()), 8192,
+              [&](Id begin, Id end)
+              {
+                for (Id p = begin; p < end; ++p)
+                {
+                  far[static_cast<std::size_t>(p)] =
+                    moved(p) && !this->StaysNear(p, points[static_cast<std::size_t>(p)]) ? 1 : 0;
+                }
+              });
+  const std::vector<Triangle>& triangles = this->State.surface.triangles;
+  std::vector<char> bad(triangles.size(), 0);
+  monitor.For(static_cast<Id>(triangles.size()), 4096,
+              [&](Id begin, Id end)
+              {
+                for (Id t = begin; t < end; ++t)
+                {
+                  const Triangle& tri = triangles[static_cast<std::size_t>(t)];
+                  if (!moved(tri[0]) && !moved(tri[1]) && !moved(tri[2]))
+                  {
+                    continue;
+                  }
+                  bool offends = !this->KeepsTriangle(t);
+                  for (std::size_t k = 0; k < 3 && this->IsSharp(t); ++k)
+                  {
+                    offends =
+                      offends ||
+                      this->Closes(this->State.edgesOfTriangle[static_cast<std::size_t>(t)][k], before);
+                  }
+                  bad[static_cast<std::size_t>(t)] = offends ? 1 : 0;
+                }
+              });
+  std::vector<Id> offending;
+  for (std::size_t t = 0; t < bad.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 3 && bad[t]; ++k)
+    {
+      far[static_cast<std::size_t>(triangles[t][k])] = 1;
+    }
+  }
+  for (std::size_t p = 0; p < far.size(); ++p)
+  {
+    if (far[p] && moved(static_cast<Id>(p)))
+    {
+      offending.push_back(static_cast<Id>(p));
+    }
+  }
+  return offending;
 }
 
 bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r, double& growth) const

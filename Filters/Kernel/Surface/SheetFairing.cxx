@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SheetFairing.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +11,9 @@ namespace
 {
 
 constexpr double TwoPi = 6.283185307179586;
+constexpr Id Block = 8192; ///< points that are summed in one go
+constexpr double tolerance = 1e-6;
+constexpr int mostIterations = 1000;
 
 /// Cotangents beyond these belong to triangles too thin to tell a curvature.
 constexpr double LeastCotangent = 0.0;
@@ -27,124 +27,206 @@ double Cotangent(const Vec3& a, const Vec3& b, const Vec3& c)
   return std::min(GreatestCotangent, std::max(LeastCotangent, value));
 }
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Id>;
-
 } // namespace
 
-struct SheetFairing::System
+SheetFairing::SheetFairing(const SmoothingState& state, Monitor& monitor)
+  : State(state)
+  , Watch(monitor)
+  , Beside(state.ring.data.size(), 0)
+  , Diagonal(state.surface.points.size(), 0)
+  , Area(state.surface.points.size(), 0)
 {
-  Matrix stiffness;     ///< cotangents: minus the integral of the Laplacian around each point
-  Eigen::VectorXd area; ///< around each point
-
-  std::vector<double> Solve(Matrix& system, Eigen::VectorXd& right, const std::vector<char>& free) const;
-};
-
-SheetFairing::~SheetFairing() = default;
-
-SheetFairing::SheetFairing(const TriangleComplex& surface)
-  : Surface(surface)
-  , Parts(std::make_unique<System>())
-{
-  const Id count = static_cast<Id>(surface.points.size());
-  this->Parts->area = Eigen::VectorXd::Zero(count);
-  std::vector<Eigen::Triplet<double, Id>> entries;
-  entries.reserve(12 * surface.triangles.size());
-  for (const Triangle& t : surface.triangles)
-  {
-    const double area = 0.5 * Norm(AreaVector2(surface.points, t));
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const Id a = t[i];
-      const Id b = t[(i + 1) % 3];
-      const Id c = t[(i + 2) % 3];
-      const auto x = [&](Id p) { return surface.points[static_cast<std::size_t>(p)]; };
-      const double w = 0.5 * Cotangent(x(a), x(b), x(c));
-      this->Parts->area[a] += area / 3;
-      entries.emplace_back(b, b, w);
-      entries.emplace_back(c, c, w);
-      entries.emplace_back(b, c, -w);
-      entries.emplace_back(c, b, -w);
-    }
-  }
-  this->Parts->stiffness.resize(count, count);
-  this->Parts->stiffness.setFromTriplets(entries.begin(), entries.end());
+  this->ForPoints([this](std::size_t p) { this->FillRow(static_cast<Id>(p)); });
 }
 
-/// The solution with all points that are not free at 0; zeros if there is none.
-std::vector<double> SheetFairing::System::Solve(Matrix& system, Eigen::VectorXd& right,
-                                                const std::vector<char>& free) const
+void SheetFairing::FillRow(Id p)
 {
-  for (Id p = 0; p < right.size(); ++p)
+  const std::vector<Vec3>& points = this->State.surface.points;
+  const auto x = [&](Id q) { return points[static_cast<std::size_t>(q)]; };
+  const ListRow ring = Row(this->State.ring, p);
+  double* entries = this->Beside.data() + this->State.ring.offsets[static_cast<std::size_t>(p)];
+  const auto add = [&](Id q, double weight)
   {
-    const bool moves = free[static_cast<std::size_t>(p)] != 0;
-    right[p] = moves ? right[p] : 0;
-    for (Matrix::InnerIterator it(system, p); it; ++it)
+    entries[std::lower_bound(ring.begin(), ring.end(), q) - ring.begin()] -= weight;
+    this->Diagonal[static_cast<std::size_t>(p)] += weight;
+  };
+  for (const Id triangle : Row(this->State.star, p))
+  {
+    const Triangle& t = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
+    const std::size_t at = t[0] == p ? 0 : (t[1] == p ? 1 : 2);
+    const Id q = t[(at + 1) % 3];
+    const Id r = t[(at + 2) % 3];
+    add(q, 0.5 * Cotangent(x(r), x(p), x(q)));
+    add(r, 0.5 * Cotangent(x(q), x(r), x(p)));
+    this->Area[static_cast<std::size_t>(p)] += Norm(AreaVector2(points, t)) / 6;
+  }
+}
+
+void SheetFairing::ForPoints(const std::function<void(std::size_t)>& visit) const
+{
+  this->Watch.For(static_cast<Id>(this->State.surface.points.size()), Block,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id p = begin; p < end; ++p)
+                    {
+                      visit(static_cast<std::size_t>(p));
+                    }
+                  });
+}
+
+double SheetFairing::Sum(const std::function<double(std::size_t)>& term) const
+{
+  const Id count = static_cast<Id>(this->State.surface.points.size());
+  const Id blocks = (count + Block - 1) / Block;
+  Vector sums(static_cast<std::size_t>(blocks), 0);
+  this->Watch.For(blocks, 1,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id b = begin; b < end; ++b)
+                    {
+                      double sum = 0;
+                      for (Id p = b * Block; p < std::min(count, (b + 1) * Block); ++p)
+                      {
+                        sum += term(static_cast<std::size_t>(p));
+                      }
+                      sums[static_cast<std::size_t>(b)] = sum;
+                    }
+                  });
+  double all = 0;
+  for (const double sum : sums)
+  {
+    all += sum;
+  }
+  return all;
+}
+
+double SheetFairing::Stiff(const Vector& x, std::size_t p) const
+{
+  const Lists& ring = this->State.ring;
+  double sum = this->Diagonal[p] * x[p];
+  for (auto n = static_cast<std::size_t>(ring.offsets[p]); n < static_cast<std::size_t>(ring.offsets[p + 1]);
+       ++n)
+  {
+    sum += this->Beside[n] * x[static_cast<std::size_t>(ring.data[n])];
+  }
+  return sum;
+}
+
+/// Conjugate gradients with the diagonal as preconditioner; where `diagonal` is 0 the solution is.
+SheetFairing::Vector SheetFairing::Solve(const Apply& apply, const Vector& diagonal,
+                                         const Vector& right) const
+{
+  const std::size_t count = right.size();
+  Vector x(count, 0);
+  Vector rest = right;
+  Vector direction(count, 0);
+  Vector image(count, 0);
+  const auto scaled = [&](std::size_t p) { return diagonal[p] > 0 ? rest[p] / diagonal[p] : 0; };
+  const double goal = tolerance * tolerance * this->Sum([&](std::size_t p) { return right[p] * right[p]; });
+  this->ForPoints([&](std::size_t p) { direction[p] = scaled(p); });
+  double old = this->Sum([&](std::size_t p) { return rest[p] * scaled(p); });
+  for (int i = 0; i < mostIterations && old > 0 && !this->Watch.Cancelled(); ++i)
+  {
+    apply(direction, image);
+    const double bend = this->Sum([&](std::size_t p) { return direction[p] * image[p]; });
+    if (!(bend > 0) || !std::isfinite(bend))
     {
-      if (it.col() == p)
-      {
-        it.valueRef() += std::max(this->area[p], 1e-300);
-      }
-      else if (!moves || !free[static_cast<std::size_t>(it.col())])
-      {
-        it.valueRef() = 0;
-      }
+      break;
     }
+    const double step = old / bend;
+    const double left = this->Sum(
+      [&](std::size_t p)
+      {
+        x[p] += step * direction[p];
+        rest[p] -= step * image[p];
+        return rest[p] * rest[p];
+      });
+    if (!(left > goal))
+    {
+      break;
+    }
+    const double now = this->Sum([&](std::size_t p) { return rest[p] * scaled(p); });
+    const double back = now / old;
+    old = now;
+    this->ForPoints([&](std::size_t p) { direction[p] = scaled(p) + back * direction[p]; });
   }
-  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(1e-6);
-  solver.setMaxIterations(1000);
-  solver.compute(system);
-  const Eigen::VectorXd solution = solver.solve(right);
-  std::vector<double> offsets(free.size(), 0);
-  for (Id p = 0; p < right.size(); ++p)
-  {
-    const bool good = free[static_cast<std::size_t>(p)] != 0 && std::isfinite(solution[p]);
-    offsets[static_cast<std::size_t>(p)] = good ? solution[p] : 0;
-  }
-  return offsets;
+  this->ForPoints([&](std::size_t p) { x[p] = std::isfinite(x[p]) ? x[p] : 0; });
+  return x;
 }
 
 std::vector<double> SheetFairing::Offsets(const std::vector<Vec3>& normals, const std::vector<char>& free,
                                           double wavelength) const
 {
-  const Id count = this->Parts->area.size();
-  Eigen::VectorXd bending(count); // the area times twice the mean curvature
-  for (Id p = 0; p < count; ++p)
-  {
-    Vec3 sum;
-    for (Matrix::InnerIterator it(this->Parts->stiffness, p); it; ++it)
-    {
-      sum += it.value() * this->Surface.points[static_cast<std::size_t>(it.col())];
-    }
-    bending[p] = Dot(sum, normals[static_cast<std::size_t>(p)]);
-  }
-  const Eigen::VectorXd inverse = this->Parts->area.cwiseMax(1e-300).cwiseInverse();
+  const std::size_t count = this->Area.size();
+  const std::vector<Vec3>& points = this->State.surface.points;
+  const Lists& ring = this->State.ring;
   const double weight = std::pow(wavelength / TwoPi, 4);
-  Matrix system = weight * (this->Parts->stiffness * inverse.asDiagonal() * this->Parts->stiffness);
-  Eigen::VectorXd right = -weight * (this->Parts->stiffness * inverse.cwiseProduct(bending));
-  return this->Parts->Solve(system, right, free);
+  const auto inverse = [this](std::size_t p) { return 1 / std::max(this->Area[p], 1e-300); };
+  Vector curved(count); // twice the mean curvature
+  this->ForPoints(
+    [&](std::size_t p)
+    {
+      Vec3 sum = this->Diagonal[p] * points[p];
+      for (auto n = static_cast<std::size_t>(ring.offsets[p]);
+           n < static_cast<std::size_t>(ring.offsets[p + 1]); ++n)
+      {
+        sum += this->Beside[n] * points[static_cast<std::size_t>(ring.data[n])];
+      }
+      curved[p] = inverse(p) * Dot(sum, normals[p]);
+    });
+  Vector right(count);
+  Vector diagonal(count);
+  this->ForPoints(
+    [&](std::size_t p)
+    {
+      right[p] = free[p] ? -weight * this->Stiff(curved, p) : 0;
+      double sum = this->Diagonal[p] * this->Diagonal[p] * inverse(p);
+      for (auto n = static_cast<std::size_t>(ring.offsets[p]);
+           n < static_cast<std::size_t>(ring.offsets[p + 1]); ++n)
+      {
+        sum += this->Beside[n] * this->Beside[n] * inverse(static_cast<std::size_t>(ring.data[n]));
+      }
+      diagonal[p] = free[p] ? this->Area[p] + weight * sum : 0;
+    });
+  Vector middle(count);
+  const auto apply = [&](const Vector& x, Vector& y)
+  {
+    this->ForPoints([&](std::size_t p) { middle[p] = inverse(p) * this->Stiff(x, p); });
+    this->ForPoints([&](std::size_t p)
+                    { y[p] = free[p] ? this->Area[p] * x[p] + weight * this->Stiff(middle, p) : 0; });
+  };
+  return this->Solve(apply, diagonal, right);
 }
 
 std::vector<double> SheetFairing::Spread(const std::vector<double>& volumes, const std::vector<char>& free,
                                          double distance) const
 {
-  Matrix system = (distance * distance) * this->Parts->stiffness;
+  const std::size_t count = this->Area.size();
+  const Lists& ring = this->State.ring;
+  const double weight = distance * distance;
+  Vector right(count);
+  Vector diagonal(count);
   // No flux to points that stay: what they would take has to stay with the others.
-  for (Id p = 0; p < system.rows(); ++p)
-  {
-    double& diagonal = system.coeffRef(p, p);
-    for (Matrix::InnerIterator it(system, p); it; ++it)
+  this->ForPoints(
+    [&](std::size_t p)
     {
-      diagonal += it.col() != p && !free[static_cast<std::size_t>(it.col())] ? it.value() : 0;
-    }
-  }
-  Eigen::VectorXd right = Eigen::Map<const Eigen::VectorXd>(volumes.data(), static_cast<Id>(volumes.size()));
-  return this->Parts->Solve(system, right, free);
-}
-
-double SheetFairing::AreaOf(Id p) const
-{
-  return this->Parts->area[p];
+      double sum = this->Diagonal[p];
+      for (auto n = static_cast<std::size_t>(ring.offsets[p]);
+           n < static_cast<std::size_t>(ring.offsets[p + 1]); ++n)
+      {
+        sum += free[static_cast<std::size_t>(ring.data[n])] ? 0 : this->Beside[n];
+      }
+      right[p] = free[p] ? volumes[p] : 0;
+      diagonal[p] = free[p] ? this->Area[p] + weight * sum : 0;
+    });
+  const auto apply = [&](const Vector& x, Vector& y)
+  {
+    // x is 0 where points stay, so their entries of the stiffness add nothing.
+    this->ForPoints(
+      [&](std::size_t p)
+      { y[p] = free[p] ? diagonal[p] * x[p] + weight * (this->Stiff(x, p) - this->Diagonal[p] * x[p]) : 0; });
+  };
+  return this->Solve(apply, diagonal, right);
 }
 
 } // namespace lamina

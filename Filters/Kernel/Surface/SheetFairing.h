@@ -2,19 +2,21 @@
 // Long waves of a surface levelled in one step.
 #pragma once
 
-#include "../Mesh/Adjacency.h"
+#include "../Base/Monitor.h"
+#include "SmoothingState.h"
 
-#include <memory>
+#include <functional>
 
 namespace lamina
 {
 
-/// The cotangent Laplacian of a surface as it is now, and two linear problems on it.
+/// The cotangent Laplacian of a surface as it is now, and two linear problems on it, solved by conjugate
+/// gradients without a matrix of the second. Sums are taken in blocks, so that threads make no difference.
 class SheetFairing
 {
 public:
-  explicit SheetFairing(const TriangleComplex& surface);
-  ~SheetFairing();
+  /// state: outlives this.
+  SheetFairing(const SmoothingState& state, Monitor& monitor);
 
   /// Offsets of the points along `normals` (unit) that make the mean curvature vary least: they minimise
   /// d' M d + (wavelength / 2 pi)^4 H' M H, with H the mean curvature after the move, linearised (implicit
@@ -30,13 +32,24 @@ public:
                              double distance) const;
 
   /// A third of the area of the triangles around a point.
-  double AreaOf(Id p) const;
+  double AreaOf(Id p) const { return this->Area[static_cast<std::size_t>(p)]; }
 
 private:
-  struct System;
+  using Vector = std::vector<double>;
+  using Apply = std::function<void(const Vector& x, Vector& y)>;
 
-  const TriangleComplex& Surface;
-  std::unique_ptr<System> Parts;
+  void FillRow(Id p);
+  void ForPoints(const std::function<void(std::size_t)>& visit) const;
+  double Sum(const std::function<double(std::size_t)>& term) const;
+  /// minus the integral of the Laplacian of x around point p
+  double Stiff(const Vector& x, std::size_t p) const;
+  Vector Solve(const Apply& apply, const Vector& diagonal, const Vector& right) const;
+
+  const SmoothingState& State;
+  Monitor& Watch;
+  Vector Beside;   ///< entries of the stiffness matrix beside the diagonal, in the order of the rings
+  Vector Diagonal; ///< of the stiffness matrix
+  Vector Area;
 };
 
 } // namespace lamina

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Smoother.h"
 
-#include "../Search/Clearance.h"
 #include "../Search/SelfIntersection.h"
+#include "../Search/SheetGaps.h"
 #include "FairingStep.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace lamina
 {
@@ -16,6 +19,22 @@ namespace
 constexpr int halvings = 2; ///< a refused move is tried again at half its weight this often
 /// The staircase itself goes first: on its steps no curvature can be measured.
 constexpr int sweepsBeforeLevelling = 4;
+/// What the labels' repair took is given back when the steps' corners are gone.
+constexpr int sweepsBeforeGivingBack = 2;
+constexpr double spreadOver = 1.5; ///< voxels, what is given back
+/// Sheets stay this far apart, in voxels, or this share of their first distance if that is less.
+constexpr double leastDistance = 0.25;
+constexpr double shareOfClearance = 0.45; ///< that a point may move in a phase
+constexpr double leastShareOfDistance = 0.5;
+/// Volumes are held relative to this many voxels at least.
+constexpr double voxelsOfPiece = 100;
+constexpr double missedFrom = 1e-12;
+/// Between phases a rest of volume may wait for the next one, at the end it may not.
+constexpr Patience patience{ 10, 0.5 };
+constexpr Patience lastPatience{ 40, 0.9 };
+constexpr double largestStep = 0.2; ///< of a volume at once
+/// Before this many sweeps the moves do not tell yet whether more of them help.
+constexpr int sweepsBeforeSettled = 12;
 
 /// Sweeps between two measurements of the clearances: few at first, while the staircase holds sheets close
 /// together.
@@ -26,14 +45,20 @@ int SweepsOfPhase(int done)
 
 } // namespace
 
-Smoother::Smoother(TriangleComplex& surface, const SmoothSurfaceOptions& options, double unit, bool careful)
+Smoother::Smoother(TriangleComplex& surface, const SmoothSurfaceOptions& options, const SmoothingGoal& goal,
+                   double unit, bool careful)
   : State(surface)
-  , Guard(this->State, options.largestDrift * unit)
+  , Guard(this->State, { options.largestDrift * unit, options.largestDisplacement * unit })
   , Options(options)
+  , Goal(goal)
   , Unit(unit)
   , Careful(careful)
-  , Classes(ColourEdges(this->State, ChooseEdges(this->State)))
 {
+  for (std::size_t p = 0; p < goal.pinned.size(); ++p)
+  {
+    this->State.freedom[p] = goal.pinned[p] ? Freedom{ 0, {} } : this->State.freedom[p];
+  }
+  this->Classes = ColourEdges(this->State, ChooseEdges(this->State));
 }
 
 bool Smoother::Run(SmoothSurfaceReport& report, Monitor& monitor)
@@ -45,8 +70,54 @@ bool Smoother::Run(SmoothSurfaceReport& report, Monitor& monitor)
     {
       return false;
     }
+    if (report.sweepsDone >= sweepsBeforeSettled &&
+        this->MovePerSweep(sweeps) < this->Options.settled * VoxelPerMeanEdge * this->Unit)
+    {
+      break;
+    }
   }
-  return true;
+  this->HoldVolumes({}, lastPatience, monitor);
+  return this->Finish(monitor);
+}
+
+/// The last phase has no next one to test what it did.
+bool Smoother::Finish(Monitor& monitor)
+{
+  if (this->Floors.empty())
+  {
+    return !monitor.Cancelled();
+  }
+  constexpr int rounds = 8;
+  const double floor = leastDistance * VoxelPerMeanEdge * this->Unit;
+  std::vector<Vec3>& points = this->State.surface.points;
+  std::vector<char> held(points.size(), 0);
+  for (int round = 0; !monitor.Cancelled(); ++round)
+  {
+    const std::vector<Vec3> before = points;
+    this->KeepApart(floor, monitor);
+    if (points == before || round == rounds) // at the end some volumes may be missed, and are reported
+    {
+      break;
+    }
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      held[p] = held[p] || !(points[p] == before[p]) ? 1 : 0;
+    }
+    this->HoldVolumes(held, lastPatience, monitor);
+  }
+  return !monitor.Cancelled();
+}
+
+/// The root mean square of the points' moves over the last phase, for each of its sweeps.
+double Smoother::MovePerSweep(int sweeps) const
+{
+  const std::vector<Vec3>& points = this->State.surface.points;
+  double sum = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    sum += Norm2(points[p] - this->Guard.PhaseStart()[p]);
+  }
+  return std::sqrt(sum / static_cast<double>(points.size())) / sweeps;
 }
 
 /// Relaxes one edge at full weight or, where that is refused, at less. Returns whether it need not be asked
@@ -100,61 +171,127 @@ Id Smoother::Sweep(Monitor& monitor)
   return refused;
 }
 
+std::vector<std::array<Id, 2>> NewIntersections(const TriangleComplex& surface,
+                                                const std::vector<std::array<Id, 2>>& known, Monitor& monitor)
+{
+  const auto all = FindIntersections(surface.points, surface.triangles, monitor);
+  std::vector<std::array<Id, 2>> added;
+  std::set_difference(all.begin(), all.end(), known.begin(), known.end(), std::back_inserter(added));
+  return added;
+}
+
+/// Adds the neighbours of the points, so many times.
+void Smoother::Widen(std::vector<Id>& points, int times) const
+{
+  for (int ring = 0; ring < times; ++ring)
+  {
+    for (const Id p : std::vector<Id>(points))
+    {
+      points.insert(points.end(), this->State.ring.Begin(p), this->State.ring.End(p));
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+  }
+}
+
 /// The certificate of a phase: no two triangles intersect, else their points go back to the phase's start,
 /// and those around them, until none do; at the start none did.
 Id Smoother::RollBack(Monitor& monitor)
 {
-  std::vector<char> back(this->State.surface.points.size(), 0);
   Id count = 0;
   for (int round = 0; !monitor.Cancelled(); ++round)
   {
-    const auto pairs = FindIntersections(this->State.surface.points, this->State.surface.triangles, monitor);
-    if (pairs.empty())
-    {
-      break;
-    }
     std::vector<Id> points;
-    for (const auto& pair : pairs)
+    for (const auto& pair : NewIntersections(this->State.surface, this->Goal.intersecting, monitor))
     {
       for (Id t : pair)
       {
-        for (Id p : this->State.surface.triangles[static_cast<std::size_t>(t)])
-        {
-          points.push_back(p);
-          if (round > 0) // the first was not enough: take the neighbours too
-          {
-            points.insert(points.end(), this->State.ring.Begin(p), this->State.ring.End(p));
-          }
-        }
+        const Triangle& corners = this->State.surface.triangles[static_cast<std::size_t>(t)];
+        points.insert(points.end(), corners.begin(), corners.end());
       }
     }
-    Id changed = 0;
-    for (Id p : points)
+    if (points.empty())
     {
-      char& done = back[static_cast<std::size_t>(p)];
-      changed += done ? 0 : 1;
-      done = 1;
-      this->State.surface.points[static_cast<std::size_t>(p)] =
-        this->Guard.PhaseStart()[static_cast<std::size_t>(p)];
+      break;
     }
-    count += changed;
-    if (changed == 0)
+    this->Widen(points, round); // the first was not enough: take the neighbours too
+    count += static_cast<Id>(points.size());
+    const bool isAll = points.size() == this->State.surface.points.size();
+    if (!this->PutBack(std::move(points), monitor) && isAll)
     {
-      break; // the input itself intersects there; the caller has been told before
+      break;
     }
   }
   return count;
 }
 
-bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
+/// Puts points back to where the phase began, and those whose triangles that would turn over; false if all
+/// were there.
+bool Smoother::PutBack(std::vector<Id> points, Monitor& monitor)
 {
-  TriangleComplex& surface = this->State.surface;
-  // Later moves are short: they need no wide berth, and measuring one costs time.
-  const double reach = report.sweepsDone < sweepsBeforeLevelling ? this->Unit : 0.6 * this->Unit;
-  std::vector<double> radii = PointClearances(surface.points, surface.triangles, reach, monitor);
-  for (double& r : radii)
+  const std::vector<Vec3>& start = this->Guard.PhaseStart();
+  bool changed = false;
+  while (!points.empty())
   {
-    r *= 0.45;
+    for (const Id p : points)
+    {
+      Vec3& x = this->State.surface.points[static_cast<std::size_t>(p)];
+      changed = changed || !(x == start[static_cast<std::size_t>(p)]);
+      x = start[static_cast<std::size_t>(p)];
+    }
+    points = this->Guard.Offending(start, monitor);
+  }
+  return changed;
+}
+
+/// Measures the gaps around the points. Where sheets have come too near since the phase began, points go back
+/// until they have not: the bounds of the guard look at what faced each other then.
+SheetGaps Smoother::KeepApart(double cutoff, Monitor& monitor)
+{
+  const TriangleComplex& surface = this->State.surface;
+  for (int round = 0;; ++round)
+  {
+    SheetGaps gaps =
+      MeasureGaps(surface.points, surface.triangles, this->State.table, this->State.star, cutoff, monitor);
+    std::vector<Id> close;
+    for (std::size_t p = 0; p < this->Floors.size(); ++p)
+    {
+      if (gaps.facing[p] < (1 - 1e-9) * this->Floors[p])
+      {
+        close.push_back(static_cast<Id>(p));
+      }
+    }
+    if (close.empty() || monitor.Cancelled())
+    {
+      return gaps;
+    }
+    this->Widen(close, round);
+    const bool isAll = close.size() == surface.points.size();
+    if (!this->PutBack(std::move(close), monitor) && isAll)
+    {
+      return gaps;
+    }
+  }
+}
+
+/// Measures how far the points may move in this phase.
+void Smoother::StartPhase(double reach, Monitor& monitor)
+{
+  // Sheets just out of sight must not come too near either.
+  const double floor = leastDistance * VoxelPerMeanEdge * this->Unit;
+  const SheetGaps gaps = this->KeepApart(2 * shareOfClearance * reach + floor, monitor);
+  if (this->Floors.empty())
+  {
+    for (const double gap : gaps.facing)
+    {
+      this->Floors.push_back(std::min(floor, leastShareOfDistance * gap));
+    }
+  }
+  std::vector<double> radii(gaps.any.size());
+  for (std::size_t p = 0; p < radii.size(); ++p)
+  {
+    const double berth = 0.5 * std::max(0.0, gaps.facing[p] - this->Floors[p]);
+    radii[p] = std::min(shareOfClearance * std::min(gaps.any[p], reach), berth);
   }
   this->Guard.StartPhase(std::move(radii));
   this->Stuck.clear();
@@ -162,13 +299,100 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
   {
     this->Stuck.emplace_back(edges.size(), 0);
   }
-  const SheetGraph graph = MakeSheetGraph(surface);
-  const std::vector<double> targets = ShellVolumes(surface, graph);
+}
+
+/// What the repair of the labels took is put back where it was, so that thin parts do not wait for their
+/// share of what is spread over all.
+void Smoother::GiveBack(Monitor& monitor)
+{
+  this->GaveBack = true;
+  if (!this->Goal.moved.empty())
+  {
+    SpreadVolumes(this->State, this->Guard, this->Goal.moved, spreadOver * VoxelPerMeanEdge * this->Unit,
+                  monitor);
+  }
+}
+
+/// Newton's method for the volumes of all regions, in steps that the guard allows. Points flagged in `held`
+/// (or none if it is empty) stay. Small pieces whose volume is out of reach would keep their neighbours from
+/// theirs: in a second round they only keep what they have. What is not reached is left for the next phase.
+void Smoother::HoldVolumes(const std::vector<char>& held, Patience patience, Monitor& monitor)
+{
+  std::vector<double> goals = this->Goal.volumes;
+  if (this->ReachVolumes(goals, held, patience, monitor))
+  {
+    return;
+  }
+  const std::vector<double> volumes = ShellVolumes(this->State.surface, this->Goal.regions);
+  bool someLeft = false;
+  for (std::size_t r = 0; r < goals.size(); ++r)
+  {
+    const bool isMissed = std::abs(goals[r] - volumes[r]) > missedFrom * this->WeightOf(goals[r]);
+    const bool isSmall = std::abs(goals[r]) < this->WeightOf(0);
+    goals[r] = isMissed && isSmall ? volumes[r] : goals[r];
+    someLeft = someLeft || (isMissed && !isSmall);
+  }
+  if (someLeft)
+  {
+    this->ReachVolumes(goals, held, patience, monitor);
+  }
+}
+
+/// What an error of a volume is measured by: the volume, or that of so many voxels.
+double Smoother::WeightOf(double volume) const
+{
+  const double voxel = VoxelPerMeanEdge * this->Unit;
+  return std::max(std::abs(volume), voxelsOfPiece * voxel * voxel * voxel);
+}
+
+bool Smoother::ReachVolumes(const std::vector<double>& goals, std::vector<char> held, Patience patience,
+                            Monitor& monitor)
+{
+  std::vector<Vec3>& points = this->State.surface.points;
+  held.resize(points.size(), 0);
+  std::vector<Vec3> best = points;
+  double least = std::numeric_limits<double>::infinity();
+  int slow = 0;
+  for (int round = 0; round < patience.rounds && slow < 2 && !monitor.Cancelled(); ++round)
+  {
+    std::vector<double> wanted = ShellVolumes(this->State.surface, this->Goal.regions);
+    double worst = 0;
+    for (std::size_t r = 0; r < wanted.size(); ++r)
+    {
+      const double rest = goals[r] - wanted[r];
+      worst = std::max(worst, std::abs(rest) / this->WeightOf(goals[r]));
+      const double most = largestStep * std::abs(wanted[r]);
+      wanted[r] = std::min(most, std::max(-most, rest));
+    }
+    slow = worst < patience.progress * least ? 0 : slow + 1;
+    if (worst < least)
+    {
+      least = worst;
+      best = points;
+    }
+    if (worst < 1e-15)
+    {
+      break;
+    }
+    std::vector<Vec3> moves = VolumeMoves(this->State, this->Goal.regions, wanted, held, monitor);
+    MoveSafely(this->State, this->Guard, std::move(moves), held, monitor);
+  }
+  points = std::move(best);
+  return least < missedFrom;
+}
+
+bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
+{
+  // Later moves are short: they need no wide berth, and measuring one costs time.
+  this->StartPhase(report.sweepsDone < sweepsBeforeLevelling ? this->Unit : 0.6 * this->Unit, monitor);
+  if (report.sweepsDone >= sweepsBeforeGivingBack && !this->GaveBack)
+  {
+    this->GiveBack(monitor);
+  }
   if (report.sweepsDone >= sweepsBeforeLevelling && this->Options.wavelength > 0)
   {
-    const std::vector<char> held =
-      LevelWaves(this->State, this->Guard, this->Options.wavelength * this->Unit, monitor);
-    RestoreVolumes(surface, graph, targets, held);
+    this->HoldVolumes(LevelWaves(this->State, this->Guard, this->Options.wavelength * this->Unit, monitor),
+                      patience, monitor);
   }
   for (int i = 0; i < sweeps; ++i)
   {
@@ -180,15 +404,25 @@ bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
     ++report.sweepsDone;
     monitor.Progress(static_cast<double>(report.sweepsDone) / this->Options.sweeps, "smoothing");
   }
-  if (!this->Careful)
+  const bool staircase =
+    report.sweepsDone < sweepsBeforeLevelling && report.sweepsDone < this->Options.sweeps;
+  if (!staircase)
   {
-    return !monitor.Cancelled();
+    this->HoldVolumes({}, patience, monitor);
   }
-  const Id rolled = this->RollBack(monitor);
-  report.pointsRolledBack += rolled;
-  if (rolled > 0)
+  if (this->Careful)
   {
-    RestoreVolumes(surface, graph, targets);
+    const Id rolled = this->RollBack(monitor);
+    report.pointsRolledBack += rolled;
+    const std::vector<Vec3> certified = this->State.surface.points;
+    if (rolled > 0)
+    {
+      this->HoldVolumes({}, patience, monitor);
+      if (!NewIntersections(this->State.surface, this->Goal.intersecting, monitor).empty())
+      {
+        this->State.surface.points = certified;
+      }
+    }
   }
   return !monitor.Cancelled();
 }

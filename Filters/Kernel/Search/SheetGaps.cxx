@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SheetGaps.h"
+
+#include "Clearance.h"
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+namespace lamina
+{
+
+namespace
+{
+
+constexpr double facingSine = 0.7071; ///< 45 degrees
+
+std::size_t At(Id i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+bool ShareCorner(const Triangle& s, const Triangle& t)
+{
+  return s[0] == t[0] || s[0] == t[1] || s[0] == t[2] || s[1] == t[0] || s[1] == t[1] || s[1] == t[2] ||
+         s[2] == t[0] || s[2] == t[1] || s[2] == t[2];
+}
+
+/// Values that threads lower: the least of all is the same in whatever order.
+class Minima
+{
+public:
+  Minima(std::size_t count, double value)
+    : Values(new std::atomic<double>[count])
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Values[i].store(value, std::memory_order_relaxed);
+    }
+  }
+  double Of(Id i) const { return this->Values[At(i)].load(std::memory_order_relaxed); }
+  void Lower(Id i, double value)
+  {
+    double old = this->Of(i);
+    while (value < old && !this->Values[At(i)].compare_exchange_weak(old, value, std::memory_order_relaxed))
+    {
+    }
+  }
+
+private:
+  std::unique_ptr<std::atomic<double>[]> Values;
+};
+
+/// The least distance of two triangles without a common corner is that of two edges, or of a corner and a
+/// triangle. Each such pair is measured once, by the first triangles that have them, for all triangles that
+/// do.
+class GapFinder
+{
+public:
+  GapFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const EdgeTable& table,
+            const Lists& star, double cutoff)
+    : Points(points)
+    , Triangles(triangles)
+    , Table(table)
+    , Star(star)
+    , Cutoff(cutoff)
+    , Tree(points, triangles)
+    , EdgesOf(triangles.size())
+    , Owned(triangles.size(), 0)
+    , Any(triangles.size(), cutoff * cutoff)
+    , Facing(triangles.size(), cutoff * cutoff)
+  {
+    this->Normals.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+    {
+      const Vec3 n = Normalized(AreaVector2(points, t));
+      this->Normals.push_back(
+        { { static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z) } });
+    }
+    this->HalfLength.reserve(table.edges.size());
+    for (std::size_t e = 0; e < table.edges.size(); ++e)
+    {
+      const Edge& edge = table.edges[e];
+      const double length = Norm(points[At(edge.b)] - points[At(edge.a)]);
+      this->HalfLength.push_back(static_cast<float>(0.5 * (1 + 1e-6) * length));
+      for (const Id t : Row(table.triangles, static_cast<Id>(e)))
+      {
+        const Triangle& c = triangles[At(t)];
+        const std::size_t far =
+          c[0] != edge.a && c[0] != edge.b ? 0 : (c[1] != edge.a && c[1] != edge.b ? 1 : 2);
+        this->EdgesOf[At(t)][far] = static_cast<std::int32_t>(e);
+        this->Owned[At(t)] |= *table.triangles.Begin(static_cast<Id>(e)) == t ? 1u << far : 0u;
+        this->Owned[At(t)] |= *star.Begin(c[far]) == t ? 8u << far : 0u;
+      }
+    }
+  }
+
+  void Measure(Id t);
+  SheetGaps OfPoints() const;
+
+private:
+  const Vec3& X(Id p) const { return this->Points[At(p)]; }
+  void MeasurePair(Id s, Id t);
+  void MeasureEdges(Id e, Id f);
+  void MeasureCorner(Id p, Id t);
+  void Note(Id s, Id t, double distance2, const Vec3& connection);
+  bool Faces(Id t, const Vec3& connection, double distance2) const
+  {
+    const auto& n = this->Normals[At(t)];
+    const double along = n[0] * connection.x + n[1] * connection.y + n[2] * connection.z;
+    return along * along >= facingSine * facingSine * distance2;
+  }
+
+  const std::vector<Vec3>& Points;
+  const std::vector<Triangle>& Triangles;
+  const EdgeTable& Table;
+  const Lists& Star;
+  double Cutoff;
+  TriangleTree Tree;
+  std::vector<std::array<std::int32_t, 3>> EdgesOf; ///< opposite to each corner
+  std::vector<unsigned char> Owned; ///< bits of the edges, then of the corners, that a triangle measures
+  std::vector<float> HalfLength;    ///< of edges, rounded up
+  std::vector<std::array<float, 3>> Normals;
+  Minima Any; ///< squared, of triangles
+  Minima Facing;
+};
+
+void GapFinder::Note(Id s, Id t, double distance2, const Vec3& connection)
+{
+  const bool isNearest = distance2 < this->Any.Of(s) || distance2 < this->Any.Of(t);
+  const bool isNearestFacing = (distance2 < this->Facing.Of(s) || distance2 < this->Facing.Of(t)) &&
+                               this->Faces(s, connection, distance2) && this->Faces(t, connection, distance2);
+  if ((!isNearest && !isNearestFacing) || ShareCorner(this->Triangles[At(s)], this->Triangles[At(t)]))
+  {
+    return;
+  }
+  this->Any.Lower(s, distance2);
+  this->Any.Lower(t, distance2);
+  if (isNearestFacing)
+  {
+    this->Facing.Lower(s, distance2);
+    this->Facing.Lower(t, distance2);
+  }
+}
+
+void GapFinder::MeasureEdges(Id e, Id f)
+{
+  const Edge& own = this->Table.edges[At(e)];
+  const Edge& other = this->Table.edges[At(f)];
+  if (own.a == other.a || own.a == other.b || own.b == other.a || own.b == other.b)
+  {
+    return;
+  }
+  const Vec3 u = this->X(own.b) - this->X(own.a);
+  const Vec3 v = this->X(other.b) - this->X(other.a);
+  const Vec3 apart = this->X(own.a) - this->X(other.a) + 0.5 * (u - v);
+  const double reach = this->Cutoff + this->HalfLength[At(e)] + this->HalfLength[At(f)];
+  if (Norm2(apart) >= reach * reach)
+  {
+    return;
+  }
+  const Vec3 connection =
+    SegmentConnection(this->X(own.a), this->X(own.b), this->X(other.a), this->X(other.b));
+  const double distance2 = Norm2(connection);
+  if (distance2 >= this->Cutoff * this->Cutoff)
+  {
+    return;
+  }
+  for (const Id s : Row(this->Table.triangles, e))
+  {
+    for (const Id t : Row(this->Table.triangles, f))
+    {
+      this->Note(s, t, distance2, connection);
+    }
+  }
+}
+
+void GapFinder::MeasureCorner(Id p, Id t)
+{
+  const Triangle& c = this->Triangles[At(t)];
+  if (c[0] == p || c[1] == p || c[2] == p)
+  {
+    return;
+  }
+  // Too far off whatever the triangle's shape?
+  const Vec3& a = this->X(c[0]);
+  const double longest2 = std::max(Norm2(this->X(c[1]) - a), Norm2(this->X(c[2]) - a));
+  const double away2 = Norm2(this->X(p) - a);
+  if (away2 > 2 * (this->Cutoff * this->Cutoff + longest2)) // at least the square of their sum
+  {
+    return;
+  }
+  Vec3 closest;
+  std::array<double, 3> weights;
+  const double distance2 =
+    PointTriangleDistance2(this->X(p), this->X(c[0]), this->X(c[1]), this->X(c[2]), closest, weights);
+  if (distance2 >= this->Cutoff * this->Cutoff)
+  {
+    return;
+  }
+  for (const Id s : Row(this->Star, p))
+  {
+    this->Note(s, t, distance2, this->X(p) - closest);
+  }
+}
+
+void GapFinder::MeasurePair(Id s, Id t)
+{
+  const unsigned own = this->Owned[At(s)];
+  const unsigned other = this->Owned[At(t)];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (own & (8u << i))
+    {
+      this->MeasureCorner(this->Triangles[At(s)][i], t);
+    }
+    if (other & (8u << i))
+    {
+      this->MeasureCorner(this->Triangles[At(t)][i], s);
+    }
+    for (std::size_t j = 0; j < 3 && (own & (1u << i)); ++j)
+    {
+      if (other & (1u << j))
+      {
+        this->MeasureEdges(this->EdgesOf[At(s)][i], this->EdgesOf[At(t)][j]);
+      }
+    }
+  }
+}
+
+void GapFinder::Measure(Id t)
+{
+  Box box;
+  for (const Id p : this->Triangles[At(t)])
+  {
+    box.Add(this->X(p));
+  }
+  box.Grow(this->Cutoff);
+  this->Tree.ForOverlaps(box,
+                         [&](Id other)
+                         {
+                           if (t < other && (this->Owned[At(t)] | this->Owned[At(other)]) != 0)
+                           {
+                             this->MeasurePair(t, other);
+                           }
+                           return true;
+                         });
+}
+
+SheetGaps GapFinder::OfPoints() const
+{
+  SheetGaps gaps;
+  gaps.any.assign(this->Points.size(), this->Cutoff);
+  gaps.facing.assign(this->Points.size(), this->Cutoff);
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const double any = std::sqrt(this->Any.Of(static_cast<Id>(t)));
+    const double facing = std::sqrt(this->Facing.Of(static_cast<Id>(t)));
+    for (const Id p : this->Triangles[t])
+    {
+      gaps.any[At(p)] = std::min(gaps.any[At(p)], any);
+      gaps.facing[At(p)] = std::min(gaps.facing[At(p)], facing);
+    }
+  }
+  return gaps;
+}
+
+} // namespace
+
+SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+                      const EdgeTable& table, const Lists& star, double cutoff, Monitor& monitor)
+{
+  GapFinder finder(points, triangles, table, star, cutoff);
+  monitor.For(static_cast<Id>(triangles.size()), 512,
+              [&](Id begin, Id end)
+              {
+                for (Id t = begin; t < end; ++t)
+                {
+                  finder.Measure(t);
+                }
+              });
+  return finder.OfPoints();
+}
+
+} // namespace lamina
