@@ -183,8 +183,27 @@ def check_licence_lines(root):
                 yield f"{path}: no SPDX-License-Identifier in its first two lines"
 
 
+def shared_types(path):
+    """Types of a file that other files can meet: at its left margin and in no namespace without a name."""
+    hidden = False
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        hidden = (hidden or line == "namespace") and line != "} // namespace"
+        match = re.match(r"(?:struct|class|enum|enum class) (?:\w+_EXPORT )?(\w+)(?: final)?(?:\s*: .*)?$", line)
+        if match and not hidden:
+            yield number, match.group(1)
+
+
+def check_type_names(root):
+    """A type's name is given once: two types of one name in a plugin are one to the linker, which mixes them."""
+    first = {}
+    for path in files(root, "Filters", CPP):
+        for number, name in shared_types(path):
+            if first.setdefault(name, path) != path:
+                yield f"{path}:{number}: {name} is also defined in {first[name]}: rename one, or hide it"
+
+
 CHECKS = [check_kernel_includes, check_kernel_without_vtk, check_shell_includes, check_array_names, check_proxies,
-          check_absolute_paths, check_licence_lines]
+          check_absolute_paths, check_licence_lines, check_type_names]
 
 
 def length_warnings(root):
@@ -211,6 +230,7 @@ PLANTED = [
     ("check_proxies", "Plugin/Proxies/FeatureSize.xml", r"(<DoubleRangeDomain[^>]*>\s*)<Documentation>[^<]*<", r"\1<Documentation><"),
     ("check_proxies", "Plugin/Proxies/FeatureSize.xml", r'label="Gradient"', r'label="Slope"'),
     ("check_absolute_paths", "Filters/Sizing/vtkFeatureSize.cxx", 'auto p = "/home/someone/mesh.vtu";\n', None),
+    ("check_type_names", "Filters/Kernel/Base/Types.h", "struct Error\n{\n};\n", None),
     ("check_licence_lines", "Filters/Sizing/vtkFeatureSize.cxx", r"// SPDX[^\n]*\n", "\n\n"),
 ]
 

@@ -25,7 +25,7 @@ lamina::Report Describe(const lamina::SmoothSurfaceReport& report)
   constexpr std::size_t most = 100;
   for (std::size_t i = 0; i < report.missedPieces.size() && i < most; ++i)
   {
-    const lamina::PieceVolume& piece = report.missedPieces[i];
+    const lamina::MissedPiece& piece = report.missedPieces[i];
     missed.push_back(lamina::Report()
                        .Add("material", piece.material)
                        .Add("target", piece.target)

@@ -26,8 +26,8 @@ struct SmoothSurfaceOptions
   bool acceptFaults = false;
 };
 
-/// A connected piece of a material, and its volume after smoothing.
-struct PieceVolume
+/// A connected piece of a material that is off its volume after smoothing.
+struct MissedPiece
 {
   int material = 0;
   double target = 0; ///< in the image, or of the surface as it came
@@ -43,7 +43,7 @@ struct SmoothSurfaceReport
   double largestVolumeChange = 0;        ///< from what is held, relative, over all materials
   double largestPieceError = 0;          ///< the same over all pieces of 100 voxels or more
   Id pieces = 0;                         ///< of materials and of enclosed background
-  std::vector<PieceVolume> missedPieces; ///< off their volume by more than 1e-9 of it, and of 100 voxels
+  std::vector<MissedPiece> missedPieces; ///< off their volume by more than 1e-9 of it, and of 100 voxels
   std::vector<int> materials;
   std::vector<double> volumesBefore; ///< one a material, of the surface
   std::vector<double> volumesHeld;   ///< with what the repair of the labels took
