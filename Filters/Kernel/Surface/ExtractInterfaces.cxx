@@ -4,11 +4,11 @@
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/WellComposed.h"
 #include "MaskCut.h"
+#include "PlanePatches.h"
 #include "RepairBooks.h"
+#include "VoxelFaces.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 
 namespace lamina
 {
@@ -16,145 +16,40 @@ namespace lamina
 namespace
 {
 
-/// A voxel face between two materials: the lattice point of its lower corner, its axis, and what lies on
-/// either side.
-struct Face
-{
-  std::array<Id, 3> corner;
-  int axis;
-  int low;   ///< label on the low side of the face
-  int high;  ///< label on the high side
-  int plane; ///< 0 inside the image, else 1 + 2 * axis + (1 at the high border)
-  bool open;
-};
-
 class Extraction
 {
 public:
-  Extraction(const LabelImage& image, const ExtractInterfacesOptions& options, const std::vector<char>& cut)
+  Extraction(const LabelImage& image, std::vector<VoxelFace> faces)
     : Image(image)
-    , Options(options)
-    , Cut(cut)
     , Size(image.grid.size)
+    , Faces(std::move(faces))
   {
   }
-  bool CollectFaces(Monitor& monitor);
   void NumberPoints(TriangleComplex& surface);
   void MakeTriangles(TriangleComplex& surface);
-  Id NamePatches(TriangleComplex& surface);
+  const std::vector<int>& PlanesOfTriangles() const { return this->PlaneOfTriangle; }
   /// Note on the triangles what the repair of the labels owes to their materials.
   void BookClaims(const std::vector<RepairClaim>& claims, TriangleComplex& surface) const;
 
 private:
-  int Label(const std::array<Id, 3>& v, bool& outside) const
-  {
-    outside = v[0] < 0 || v[1] < 0 || v[2] < 0 || v[0] >= this->Size[0] || v[1] >= this->Size[1] ||
-              v[2] >= this->Size[2];
-    return outside ? 0
-                   : this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
-  }
-  bool WasCut(const std::array<Id, 3>& v) const
-  {
-    return !this->Cut.empty() &&
-           this->Cut[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
-  }
-  bool IsOpen(const Face& face, const std::array<Id, 3>& low, const std::array<Id, 3>& high) const;
-  void CollectSlice(Id k, std::vector<Face>& faces) const;
   std::size_t Lattice(Id i, Id j, Id k) const
   {
     return static_cast<std::size_t>(i + (this->Size[0] + 1) * (j + (this->Size[1] + 1) * k));
   }
-  std::array<std::array<Id, 3>, 4> Corners(const Face& face) const;
 
   const LabelImage& Image;
-  const ExtractInterfacesOptions& Options;
-  const std::vector<char>& Cut; ///< voxels that a plane end at the mask's edge took
   std::array<Id, 3> Size;
-  std::vector<Face> Faces;
+  std::vector<VoxelFace> Faces;
   std::vector<int> PointOfLattice;
-  std::vector<int> PlaneOfTriangle; ///< Face::plane, negative for openings
+  std::vector<int> PlaneOfTriangle; ///< VoxelFace::plane, negative for openings
 };
-
-bool Extraction::IsOpen(const Face& face, const std::array<Id, 3>& low, const std::array<Id, 3>& high) const
-{
-  const int material = face.low == 0 ? face.high : face.low;
-  const auto& open = this->Options.openMaterials;
-  if ((face.low != 0 && face.high != 0) || std::find(open.begin(), open.end(), material) == open.end())
-  {
-    return false;
-  }
-  if (face.plane != 0)
-  {
-    return this->Options.openAtImageBorder;
-  }
-  return this->WasCut(face.low == 0 ? low : high);
-}
-
-void Extraction::CollectSlice(Id k, std::vector<Face>& faces) const
-{
-  for (Id j = 0; j <= this->Size[1]; ++j)
-  {
-    for (Id i = 0; i <= this->Size[0]; ++i)
-    {
-      const std::array<Id, 3> high{ i, j, k };
-      bool outsideHigh = false;
-      const int labelHigh = this->Label(high, outsideHigh);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        std::array<Id, 3> low = high;
-        --low[static_cast<std::size_t>(axis)];
-        bool outsideLow = false;
-        const int labelLow = this->Label(low, outsideLow);
-        if (labelLow == labelHigh)
-        {
-          continue;
-        }
-        Face face{ high, axis, labelLow, labelHigh, 0, false };
-        face.plane = outsideLow ? 1 + 2 * axis : (outsideHigh ? 2 + 2 * axis : 0);
-        face.open = this->IsOpen(face, low, high);
-        faces.push_back(face);
-      }
-    }
-  }
-}
-
-bool Extraction::CollectFaces(Monitor& monitor)
-{
-  std::vector<std::vector<Face>> slices(static_cast<std::size_t>(this->Size[2] + 1));
-  monitor.For(this->Size[2] + 1, 2,
-              [&](Id begin, Id end)
-              {
-                for (Id k = begin; k < end; ++k)
-                {
-                  this->CollectSlice(k, slices[static_cast<std::size_t>(k)]);
-                }
-              });
-  for (const auto& slice : slices)
-  {
-    this->Faces.insert(this->Faces.end(), slice.begin(), slice.end());
-  }
-  return !monitor.Cancelled();
-}
-
-/// The four lattice corners, counter-clockwise seen from the high side.
-std::array<std::array<Id, 3>, 4> Extraction::Corners(const Face& face) const
-{
-  const auto u = static_cast<std::size_t>((face.axis + 1) % 3);
-  const auto v = static_cast<std::size_t>((face.axis + 2) % 3);
-  std::array<std::array<Id, 3>, 4> corners{ { face.corner, face.corner, face.corner, face.corner } };
-  ++corners[1][u];
-  ++corners[2][u];
-  ++corners[2][v];
-  ++corners[3][v];
-  return corners;
-}
 
 void Extraction::NumberPoints(TriangleComplex& surface)
 {
   this->PointOfLattice.assign(this->Lattice(this->Size[0], this->Size[1], this->Size[2]) + 1, -1);
-  for (const Face& face : this->Faces)
+  for (const VoxelFace& face : this->Faces)
   {
-    for (const auto& c : this->Corners(face))
+    for (const auto& c : face.Corners())
     {
       this->PointOfLattice[this->Lattice(c[0], c[1], c[2])] = 0;
     }
@@ -180,12 +75,12 @@ void Extraction::NumberPoints(TriangleComplex& surface)
 void Extraction::MakeTriangles(TriangleComplex& surface)
 {
   const bool mirrored = this->Image.grid.IsMirrored();
-  for (const Face& face : this->Faces)
+  for (const VoxelFace& face : this->Faces)
   {
     const bool lowFirst = face.high == 0 || (face.low != 0 && face.low < face.high);
     const MaterialPair pair =
       lowFirst ? MaterialPair{ face.low, face.high } : MaterialPair{ face.high, face.low };
-    const auto corners = this->Corners(face);
+    const auto corners = face.Corners();
     std::array<Id, 4> q;
     for (std::size_t n = 0; n < 4; ++n)
     {
@@ -214,75 +109,6 @@ void Extraction::MakeTriangles(TriangleComplex& surface)
   }
 }
 
-Id Extraction::NamePatches(TriangleComplex& surface)
-{
-  if (std::all_of(this->PlaneOfTriangle.begin(), this->PlaneOfTriangle.end(), [](int p) { return p == 0; }))
-  {
-    return 0;
-  }
-  const std::size_t count = surface.triangles.size();
-  std::vector<std::size_t> root(count);
-  std::iota(root.begin(), root.end(), std::size_t{ 0 });
-  const auto find = [&](std::size_t t)
-  {
-    while (root[t] != t)
-    {
-      t = root[t] = root[root[t]];
-    }
-    return t;
-  };
-  const EdgeTable table = MakeEdgeTable(surface.triangles);
-  for (std::size_t e = 0; e < table.edges.size(); ++e)
-  {
-    for (Id s : Row(table.triangles, static_cast<Id>(e)))
-    {
-      for (Id t : Row(table.triangles, static_cast<Id>(e)))
-      {
-        const auto a = static_cast<std::size_t>(s);
-        const auto b = static_cast<std::size_t>(t);
-        if (a < b && this->PlaneOfTriangle[a] < 0 && this->PlaneOfTriangle[a] == this->PlaneOfTriangle[b] &&
-            surface.materials[a] == surface.materials[b])
-        {
-          const std::size_t ra = find(a);
-          const std::size_t rb = find(b);
-          root[std::max(ra, rb)] = std::min(ra, rb);
-        }
-      }
-    }
-  }
-  // Openings are numbered in the order of their first triangle, then come the borders.
-  surface.patches.assign(count, 0);
-  surface.patchNames = { "wall" };
-  std::map<std::size_t, int> openings;
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    if (this->PlaneOfTriangle[t] < 0)
-    {
-      const auto entry = openings.insert({ find(t), static_cast<int>(surface.patchNames.size()) });
-      if (entry.second)
-      {
-        surface.patchNames.push_back("opening_" + std::to_string(openings.size()));
-      }
-      surface.patches[t] = entry.first->second;
-    }
-  }
-  std::map<int, int> borders;
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    if (this->PlaneOfTriangle[t] > 0)
-    {
-      const int plane = this->PlaneOfTriangle[t];
-      const auto entry = borders.insert({ plane, static_cast<int>(surface.patchNames.size()) });
-      if (entry.second)
-      {
-        surface.patchNames.push_back("border_" + std::to_string(plane));
-      }
-      surface.patches[t] = entry.first->second;
-    }
-  }
-  return static_cast<Id>(openings.size());
-}
-
 void Extraction::BookClaims(const std::vector<RepairClaim>& claims, TriangleComplex& surface) const
 {
   if (claims.empty())
@@ -290,7 +116,7 @@ void Extraction::BookClaims(const std::vector<RepairClaim>& claims, TriangleComp
     return;
   }
   surface.missing.assign(surface.triangles.size(), { { 0, 0 } });
-  const auto before = [](const Face& face, const RepairClaim& claim)
+  const auto before = [](const VoxelFace& face, const RepairClaim& claim)
   {
     const auto& a = face.corner;
     const auto& b = claim.corner;
@@ -390,18 +216,19 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   }
   monitor.Progress(0.4, "extracting interfaces");
   surface = TriangleComplex{};
-  Extraction extraction(labels, options, cut);
-  if (!extraction.CollectFaces(monitor))
+  auto faces = CollectVoxelFaces(labels, options, cut, monitor);
+  if (!faces)
   {
     return Cancelled();
   }
+  Extraction extraction(labels, std::move(*faces));
   extraction.NumberPoints(surface);
   monitor.Progress(0.6, "extracting interfaces");
   extraction.MakeTriangles(surface);
   const RepairBooks books = BookRepair(first, labels, repaired);
   extraction.BookClaims(books.claims, surface);
   report.lostVoxels = books.lostVoxels;
-  report.openings = extraction.NamePatches(surface);
+  report.openings = NamePlanePatches(extraction.PlanesOfTriangles(), surface);
   if (monitor.Cancelled())
   {
     return Cancelled();
