@@ -99,6 +99,7 @@ def parse(arguments):
     p.add_argument("--thresholds", type=numbers, metavar="A,B[,C]",
                    help="three: other, tissue, disputed, blood; two: other, tissue, blood (default 50,110,150)")
     p.add_argument("--mask", metavar="FILE", help="region of interest: where it is not 1, the material is 0")
+    p.add_argument("--grey", metavar="FILE", help="scan of the same size (or INPUT itself): the surface cuts where its values say")
     p.add_argument("--solid", type=ids, metavar="IDS", help="solid materials (default 1, and all that are not fluid)")
     p.add_argument("--fluid", type=ids, metavar="IDS", help="fluid materials (default 2)")
     p.add_argument("--layers", type=whole(1), default=6, help="layers across a solid's wall (6)")

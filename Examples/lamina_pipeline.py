@@ -146,6 +146,7 @@ class Pipeline:
         self.results = Results(self, options)
         image = read_image(options.input)
         mask = read_mask(options.mask, image)
+        self.grey = read_image(options.grey) if options.grey else None
         self.end(voxels=image.GetNumberOfPoints(), size=" x ".join(str(n) for n in image.GetDimensions()))
         load_plugin()
         labels = self.take_labels(image, mask) if options.labels else self.segment(image, mask, options)
@@ -208,6 +209,8 @@ class Pipeline:
         if opened and "mask" in options.open_border:
             cubes.Mask = producer(mask)
             cubes.OpenAtMaskBorder = 1
+        if self.grey is not None:
+            cubes.GreyImage = producer(self.grey)
         self.run_stage("Multimaterial Marching Cubes", cubes)
         smooth = simple.VolumeConservingSmoothing(Input=cubes, Sweeps=options.smoothing_sweeps)
         self.run_stage("Volume-Conserving Smoothing", smooth)

@@ -68,13 +68,13 @@ Error BadVoxel(const GridGeometry& grid, Id v, const std::string& message)
     message, { grid.ToWorld(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)) });
 }
 
-/// A mask is applied voxel by voxel: that makes sense only if its voxels lie where the image's do.
-Status CheckSameGrid(const GridGeometry& mask, const GridGeometry& image)
+/// A second image is read voxel by voxel: that makes sense only if its voxels lie where the first one's do.
+Status CheckSameGrid(const GridGeometry& mask, const GridGeometry& image, const std::string& what)
 {
   if (mask.size != image.size)
   {
-    return InvalidInput("the mask has " + SizeText(mask.size) + " voxels, the image " + SizeText(image.size) +
-                        ": they must agree");
+    return InvalidInput("the " + what + " has " + SizeText(mask.size) + " voxels, the image " +
+                        SizeText(image.size) + ": they must agree");
   }
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -84,7 +84,8 @@ Status CheckSameGrid(const GridGeometry& mask, const GridGeometry& image)
     const Vec3 there = mask.ToWorld(at[0], at[1], at[2]);
     if (Norm(here - there) > 0.5 * std::min({ image.spacing.x, image.spacing.y, image.spacing.z }))
     {
-      return InvalidInput("the mask lies elsewhere in the world than the image: a corner voxel is at " +
+      return InvalidInput("the " + what +
+                          " lies elsewhere in the world than the image: a corner voxel is at " +
                           ToString(there) + " instead of " + ToString(here) +
                           "; give it the image's origin, spacing and direction, or resample it");
     }
@@ -236,6 +237,25 @@ Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars)
   return grey;
 }
 
+Result<GreyView> ViewGreyBeside(vtkImageData* image, const GridGeometry& labels)
+{
+  const Result<vtkDataArray*> scalars = FindScalars(image, names::Intensity, nullptr);
+  if (!scalars)
+  {
+    return InvalidInput("grey image: " + scalars.GetError().message);
+  }
+  Result<GreyView> grey = ViewGrey(image, *scalars);
+  if (!grey)
+  {
+    return InvalidInput("grey image: " + grey.GetError().message);
+  }
+  if (const Status same = CheckSameGrid(grey->grid, labels, "grey image"); !same)
+  {
+    return same.GetError();
+  }
+  return grey;
+}
+
 Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image)
 {
   const Result<GridGeometry> grid = ReadGeometry(mask);
@@ -243,7 +263,7 @@ Result<RegionMask> ReadRegion(vtkImageData* mask, const GridGeometry& image)
   {
     return InvalidInput("mask: " + grid.GetError().message);
   }
-  if (const Status same = CheckSameGrid(*grid, image); !same)
+  if (const Status same = CheckSameGrid(*grid, image, "mask"); !same)
   {
     return same.GetError();
   }

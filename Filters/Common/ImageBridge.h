@@ -27,7 +27,10 @@ Result<LabelImage> ReadLabels(vtkImageData* image, vtkDataArray* scalars);
 /// Grey values of any number type where they lie in the array, which must outlive the view; NaN means that
 /// nothing is known there.
 Result<GreyView> ViewGrey(vtkImageData* image, vtkDataArray* scalars);
-/// The same in a copy of doubles, for work that goes over few values again and again.
+/// Grey values that belong to an image of labels: of the same grid (size, and place in the world to half a
+/// voxel), in the array Intensity or the only one.
+Result<GreyView> ViewGreyBeside(vtkImageData* image, const GridGeometry& labels);
+/// Grey values in a copy of doubles, for work that goes over few values again and again.
 Result<GreyImage> ReadGrey(vtkImageData* image, vtkDataArray* scalars);
 /// A region of interest of the same grid as `image` (size, and place in the world to half a voxel): inside
 /// where the mask's values are 1, as other values mark regions that are of no interest.

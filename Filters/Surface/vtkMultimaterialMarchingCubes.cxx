@@ -36,7 +36,10 @@ lamina::Report Describe(const lamina::ExtractInterfacesReport& report)
     .Add("repairedPlaces", report.repairedPlaces)
     .Add("lostVoxels", report.lostVoxels)
     .Add("materials", report.materials)
-    .Add("imageVolumes", report.imageVolumes);
+    .Add("imageVolumes", report.imageVolumes)
+    .Add("movedPoints", report.movedPoints)
+    .Add("heldPoints", report.heldPoints)
+    .Add("clusteredPoints", report.clusteredPoints);
 }
 
 std::vector<int> MaterialsIn(const lamina::LabelImage& image)
@@ -89,7 +92,7 @@ lamina::Status PrepareOpenings(const lamina::LabelImage& image, vtkImageData* ma
 
 vtkMultimaterialMarchingCubes::vtkMultimaterialMarchingCubes()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 void vtkMultimaterialMarchingCubes::AddOpenMaterial(int material)
@@ -114,7 +117,7 @@ int vtkMultimaterialMarchingCubes::GetOpenMaterial(int index)
 int vtkMultimaterialMarchingCubes::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
   return 1;
 }
 
@@ -122,7 +125,7 @@ int vtkMultimaterialMarchingCubes::RequestUpdateExtent(vtkInformation*, vtkInfor
                                                        vtkInformationVector*)
 {
   // Neighbours matter everywhere: always the whole images.
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     if (vtkInformation* info = inputs[port]->GetInformationObject(0))
     {
@@ -139,6 +142,7 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* maskInput = vtkImageData::GetData(inputs[1]);
+  vtkImageData* greyInput = vtkImageData::GetData(inputs[2]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (!input || input->GetNumberOfPoints() == 0)
   {
@@ -166,6 +170,18 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
     {
       return ready;
     }
+    lamina::GreyView grey;
+    if (greyInput)
+    {
+      auto read = lamina::ViewGreyBeside(greyInput, image->grid);
+      if (!read)
+      {
+        return read.GetError();
+      }
+      grey = std::move(*read);
+      options.grey = &grey;
+    }
+    options.clusterPoints = this->ClusterPoints;
     lamina::TriangleComplex surface;
     const auto report = lamina::ExtractInterfaces(*image, surface, options, monitor);
     if (!report)
@@ -186,4 +202,5 @@ void vtkMultimaterialMarchingCubes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpenMaterials: " << lamina::Listed(this->OpenMaterials) << "\n";
   os << indent << "OpenAtImageBorder: " << this->OpenAtImageBorder << "\n";
   os << indent << "OpenAtMaskBorder: " << this->OpenAtMaskBorder << "\n";
+  os << indent << "ClusterPoints: " << this->ClusterPoints << "\n";
 }

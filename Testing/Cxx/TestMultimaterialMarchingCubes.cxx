@@ -127,6 +127,52 @@ TEST(MultimaterialMarchingCubes, MaskOfAnotherSizeAndMissingMask)
   ExpectFine(filter);
 }
 
+TEST(MultimaterialMarchingCubes, AGreyImagePlacesTheCuts)
+{
+  auto labels = NestedBoxes();
+  vtkNew<vtkImageData> grey;
+  grey->CopyStructure(labels);
+  grey->AllocateScalars(VTK_SHORT, 1);
+  grey->GetPointData()->GetScalars()->SetName("anything");
+  for (vtkIdType v = 0; v < labels->GetNumberOfPoints(); ++v)
+  {
+    // Background 0, tissue 300, blood 400. The value between the first two is 150, half way; 350 between the
+    // others.
+    const int material = static_cast<int>(labels->GetPointData()->GetScalars()->GetComponent(v, 0));
+    grey->GetPointData()->GetScalars()->SetComponent(v, 0, material == 2 ? 400 : 300 * material);
+  }
+  // Tissue's outer voxels at high i are half empty: the surface there moves in.
+  for (int k = 2; k < 12; ++k)
+  {
+    for (int j = 2; j < 12; ++j)
+    {
+      *static_cast<short*>(grey->GetScalarPointer(11, j, k)) = 200;
+    }
+  }
+  auto plain = Filter(labels);
+  auto filter = Filter(labels);
+  filter->SetInputData(2, grey);
+  ExpectFine(plain);
+  ExpectFine(filter);
+  double before[6];
+  double after[6];
+  plain->GetOutput()->GetBounds(before);
+  filter->GetOutput()->GetBounds(after);
+  EXPECT_LT(after[1], before[1] - 0.1);
+  EXPECT_GT(after[1], before[1] - 0.5);
+  auto* volumes = filter->GetOutput()->GetFieldData()->GetArray("ImageVolumes");
+  auto* voxels = plain->GetOutput()->GetFieldData()->GetArray("ImageVolumes");
+  ASSERT_TRUE(volumes && voxels);
+  EXPECT_LT(volumes->GetComponent(0, 1), voxels->GetComponent(0, 1) - 10);
+  EXPECT_NE(ReportOf(filter->GetOutput(), "MultimaterialMarchingCubes").find("\"movedPoints\""),
+            std::string::npos);
+
+  vtkNew<vtkImageData> other;
+  other->DeepCopy(NestedBoxes(16));
+  filter->SetInputData(2, other);
+  ExpectError(filter, "the grey image has 16 x 16 x 16 voxels, the image 14 x 14 x 14");
+}
+
 TEST(MultimaterialMarchingCubes, WrongImages)
 {
   auto image = NestedBoxes();

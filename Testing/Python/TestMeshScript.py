@@ -87,6 +87,7 @@ def table(folder):
         ("negative threshold", [good, "--thresholds", "-20,215"], ["--thresholds=-20,215"]),
         ("labels and thresholds", [labels, "--labels", "--thresholds", "50,150"], ["exclude each other"]),
         ("mask of another size", [good, "--mask", other], ["6 x 5 x 4", "16 x 16 x 16"]),
+        ("scan of another size", [good, "--grey", other], ["6 x 5 x 4", "16 x 16 x 16"]),
         ("no mask", [good, "--mask", "nowhere.mha"], ["nowhere.mha", "no such file"]),
         ("min size", [good, "--min-size", "0"], ["--min-size", "positive"]),
         ("max size", [good, "--max-size", "-1"], ["--max-size", "positive"]),

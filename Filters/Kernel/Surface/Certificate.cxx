@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certificate.h"
 
-#include "../Mesh/Adjacency.h"
+#include "../Mesh/EdgeAngles.h"
 #include "../Search/SelfIntersection.h"
 #include "../Search/SheetGaps.h"
 
@@ -41,21 +41,13 @@ double AngleOf(const TriangleComplex& surface, const EdgeTable& table)
   double greatest = -1; // cosine
   for (std::size_t e = 0; e < table.edges.size(); ++e)
   {
-    const Edge& edge = table.edges[e];
-    const Vec3& a = surface.points[static_cast<std::size_t>(edge.a)];
-    const Vec3 u = Normalized(surface.points[static_cast<std::size_t>(edge.b)] - a);
-    const auto direction = [&](Id triangle)
-    {
-      const Triangle& tri = surface.triangles[static_cast<std::size_t>(triangle)];
-      const Vec3 w = surface.points[static_cast<std::size_t>(tri[0] + tri[1] + tri[2] - edge.a - edge.b)] - a;
-      return Normalized(w - Dot(w, u) * u);
-    };
     const ListRow row = Row(table.triangles, static_cast<Id>(e));
     for (const Id* s = row.first; s != row.last; ++s)
     {
       for (const Id* t = s + 1; t != row.last; ++t)
       {
-        greatest = std::max(greatest, Dot(direction(*s), direction(*t)));
+        greatest =
+          std::max(greatest, CosineAtEdge(surface.points, surface.triangles, table.edges[e], *s, *t));
       }
     }
   }

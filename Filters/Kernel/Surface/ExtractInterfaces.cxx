@@ -3,6 +3,9 @@
 
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/WellComposed.h"
+#include "ClusterPoints.h"
+#include "CutPlacement.h"
+#include "GreyCuts.h"
 #include "MaskCut.h"
 #include "PlanePatches.h"
 #include "RepairBooks.h"
@@ -16,13 +19,16 @@ namespace lamina
 namespace
 {
 
+constexpr double shortEdge = 0.8;        ///< voxels: ends that are nearer are merged
+constexpr double clusterTolerance = 0.2; ///< voxels between the surface before and after that
+
 class Extraction
 {
 public:
-  Extraction(const LabelImage& image, std::vector<VoxelFace> faces)
+  Extraction(const LabelImage& image, const std::vector<VoxelFace>& faces)
     : Image(image)
     , Size(image.grid.size)
-    , Faces(std::move(faces))
+    , Faces(faces)
   {
   }
   void NumberPoints(TriangleComplex& surface);
@@ -39,7 +45,7 @@ private:
 
   const LabelImage& Image;
   std::array<Id, 3> Size;
-  std::vector<VoxelFace> Faces;
+  const std::vector<VoxelFace>& Faces;
   std::vector<int> PointOfLattice;
   std::vector<int> PlaneOfTriangle; ///< VoxelFace::plane, negative for openings
 };
@@ -115,7 +121,7 @@ void Extraction::BookClaims(const std::vector<RepairClaim>& claims, TriangleComp
   {
     return;
   }
-  surface.missing.assign(surface.triangles.size(), { { 0, 0 } });
+  surface.missing.resize(surface.triangles.size(), { { 0, 0 } });
   const auto before = [](const VoxelFace& face, const RepairClaim& claim)
   {
     const auto& a = face.corner;
@@ -165,6 +171,11 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
   {
     return InvalidInput("the mask is not of the same size as the label image");
   }
+  if (options.grey != nullptr &&
+      (options.grey->grid.size != size || options.grey->Count() != image.grid.Count()))
+  {
+    return InvalidInput("the grey image is not of the same size as the label image");
+  }
   return ExtractInterfacesReport{};
 }
 
@@ -182,6 +193,40 @@ std::vector<double> ImageVolumes(const LabelImage& image, const std::vector<int>
                       image.grid.VoxelVolume());
   }
   return volumes;
+}
+
+void NoteRepair(const GridGeometry& grid, const std::vector<Id>& repaired, ExtractInterfacesReport& report)
+{
+  constexpr std::size_t mostPlaces = 100;
+  report.repairedVoxels = static_cast<Id>(repaired.size());
+  for (std::size_t n = 0; n < repaired.size() && n < mostPlaces; ++n)
+  {
+    const Id i = repaired[n] % grid.size[0];
+    const Id j = repaired[n] / grid.size[0] % grid.size[1];
+    const Id k = repaired[n] / grid.size[0] / grid.size[1];
+    report.repairedPlaces.push_back(
+      grid.ToWorld(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
+  }
+}
+
+/// What lies between the voxel faces and the cuts belongs to the materials that gain it: on each triangle so
+/// much for its first, and against its second.
+void AddPartialVolumes(const TriangleComplex& surface, const std::vector<double>& growth,
+                       ExtractInterfacesReport& report)
+{
+  const auto add = [&](int material, double volume)
+  {
+    const auto m = std::lower_bound(report.materials.begin(), report.materials.end(), material);
+    if (m != report.materials.end() && *m == material)
+    {
+      report.imageVolumes[static_cast<std::size_t>(m - report.materials.begin())] += volume;
+    }
+  };
+  for (std::size_t t = 0; t < growth.size(); ++t)
+  {
+    add(surface.materials[t].first, growth[t]);
+    add(surface.materials[t].second, -growth[t]);
+  }
 }
 
 } // namespace
@@ -205,15 +250,7 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   const LabelImage first = labels;
   SubMonitor early(monitor, 0, 0.4);
   const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), early).changed;
-  report.repairedVoxels = static_cast<Id>(repaired.size());
-  for (std::size_t n = 0; n < repaired.size() && n < 100; ++n)
-  {
-    const Id i = repaired[n] % labels.grid.size[0];
-    const Id j = repaired[n] / labels.grid.size[0] % labels.grid.size[1];
-    const Id k = repaired[n] / labels.grid.size[0] / labels.grid.size[1];
-    report.repairedPlaces.push_back(
-      labels.grid.ToWorld(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
-  }
+  NoteRepair(labels.grid, repaired, report);
   monitor.Progress(0.4, "extracting interfaces");
   surface = TriangleComplex{};
   auto faces = CollectVoxelFaces(labels, options, cut, monitor);
@@ -221,10 +258,21 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     return Cancelled();
   }
-  Extraction extraction(labels, std::move(*faces));
+  Extraction extraction(labels, *faces);
   extraction.NumberPoints(surface);
   monitor.Progress(0.6, "extracting interfaces");
   extraction.MakeTriangles(surface);
+  GreyCutsReport cuts;
+  if (options.grey != nullptr)
+  {
+    cuts =
+      PlaceAtGreyCuts(labels.grid, *faces, FindGreyCuts(*faces, *options.grey, monitor), surface, monitor);
+    report.movedPoints = cuts.movedPoints;
+    report.heldPoints = cuts.heldPoints;
+  }
+  report.materials = MaterialsOf(surface);
+  report.imageVolumes = ImageVolumes(first, report.materials);
+  AddPartialVolumes(surface, cuts.growth, report);
   const RepairBooks books = BookRepair(first, labels, repaired);
   extraction.BookClaims(books.claims, surface);
   report.lostVoxels = books.lostVoxels;
@@ -233,12 +281,20 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     return Cancelled();
   }
+  if (options.clusterPoints)
+  {
+    const Vec3& spacing = labels.grid.spacing;
+    const double voxel = std::min({ spacing.x, spacing.y, spacing.z });
+    report.clusteredPoints = ClusterPoints(surface, shortEdge * voxel, clusterTolerance * voxel, monitor);
+  }
   monitor.Progress(0.8, "classifying junctions");
   ClassifyJunctions(surface);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   report.points = static_cast<Id>(surface.points.size());
   report.triangles = static_cast<Id>(surface.triangles.size());
-  report.materials = MaterialsOf(surface);
-  report.imageVolumes = ImageVolumes(first, report.materials);
   const EdgeTable table = MakeEdgeTable(surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e)
   {

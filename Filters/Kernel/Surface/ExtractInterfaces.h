@@ -4,6 +4,7 @@
 
 #include "../Base/Monitor.h"
 #include "../Base/Result.h"
+#include "../Mesh/GreyView.h"
 #include "../Mesh/LabelImage.h"
 #include "../Mesh/TriangleComplex.h"
 
@@ -19,6 +20,11 @@ struct ExtractInterfacesOptions
   bool openAtMaskBorder = false;
   /// The region of interest (1 inside) that openAtMaskBorder refers to; same grid as the labels.
   const LabelImage* mask = nullptr;
+  /// Grey values on the same grid. With them the surface cuts between two voxels where the values pass from
+  /// one material to the other, not midway, and pieces have their partial volumes (GreyCuts.h).
+  const GreyView* grey = nullptr;
+  /// Merge points that such cuts bring close together (ClusterPoints.h); without grey values there are none.
+  bool clusterPoints = true;
 };
 
 struct ExtractInterfacesReport
@@ -33,8 +39,12 @@ struct ExtractInterfacesReport
   /// Voxels of pieces that the repair removed whole. What it took from other pieces is noted on the triangles
   /// (TriangleComplex::missing), and smoothing gives it back.
   Id lostVoxels = 0;
-  std::vector<int> materials;       ///< ids present, background apart
-  std::vector<double> imageVolumes; ///< of their voxels before the repair, one a material
+  std::vector<int> materials; ///< ids present, background apart
+  std::vector<double>
+    imageVolumes;         ///< of their voxels before the repair, one a material; partial with grey values
+  Id movedPoints = 0;     ///< to the cuts of the grey values
+  Id clusteredPoints = 0; ///< merged into others
+  Id heldPoints = 0;      ///< moved less than those ask, because triangles would have met
 };
 
 /// Extract the interface surfaces of `image` into `surface`. Each material's boundary is closed and

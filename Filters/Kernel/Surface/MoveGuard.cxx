@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MoveGuard.h"
 
+#include "../Mesh/EdgeAngles.h"
+
 #include <algorithm>
 
 namespace lamina
@@ -130,22 +132,15 @@ bool MoveGuard::KeepsTriangle(Id t) const
 bool MoveGuard::Closes(Id e, const std::vector<Vec3>& before) const
 {
   const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
-  const auto direction = [&](Id triangle, const std::vector<Vec3>& x)
-  {
-    const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
-    const Vec3& a = x[static_cast<std::size_t>(edge.a)];
-    const Vec3 u = Normalized(x[static_cast<std::size_t>(edge.b)] - a);
-    const Vec3 w = x[static_cast<std::size_t>(tri[0] + tri[1] + tri[2] - edge.a - edge.b)] - a;
-    return Normalized(w - Dot(w, u) * u);
-  };
+  const auto cosine = [&](Id s, Id t, const std::vector<Vec3>& x)
+  { return CosineAtEdge(x, this->State.surface.triangles, edge, s, t); };
   const ListRow row = Row(this->State.table.triangles, e);
   for (const Id* s = row.first; s != row.last; ++s)
   {
     for (const Id* t = s + 1; t != row.last; ++t)
     {
-      const double now =
-        Dot(direction(*s, this->State.surface.points), direction(*t, this->State.surface.points));
-      if (now > -flattestFold && now > Dot(direction(*s, before), direction(*t, before)))
+      const double now = cosine(*s, *t, this->State.surface.points);
+      if (now > -flattestFold && now > cosine(*s, *t, before))
       {
         return true;
       }

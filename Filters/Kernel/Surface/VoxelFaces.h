@@ -27,6 +27,8 @@ struct VoxelFace
     --voxel[static_cast<std::size_t>(this->axis)];
     return voxel;
   }
+  /// Whether its cut may lie elsewhere than midway: not on the image's border, nor on an opening.
+  bool MayMove() const { return this->plane == 0 && !this->open; }
   /// The four lattice corners, counter-clockwise seen from the high side.
   std::array<std::array<Id, 3>, 4> Corners() const;
 };
