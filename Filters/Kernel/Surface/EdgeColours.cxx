@@ -16,10 +16,10 @@ using Mask = std::array<std::uint64_t, colours / 64>;
 
 } // namespace
 
-std::vector<Edge> ChooseEdges(const SmoothingState& s)
+std::vector<Relaxable> ChooseEdges(const SmoothingState& s)
 {
   const auto kind = [&](Id p) { return s.surface.junctionKind[static_cast<std::size_t>(p)]; };
-  std::vector<Edge> chosen;
+  std::vector<Relaxable> chosen;
   std::vector<char> served(s.surface.points.size(), 0);
   for (std::size_t e = 0; e < s.table.edges.size(); ++e)
   {
@@ -29,7 +29,7 @@ std::vector<Edge> ChooseEdges(const SmoothingState& s)
     if (kind(edge.a) == kind(edge.b) && (sheet || curve) &&
         s.freedom[static_cast<std::size_t>(edge.a)].dimensions > 1)
     {
-      chosen.push_back(edge);
+      chosen.push_back(static_cast<Id>(e));
       served[static_cast<std::size_t>(edge.a)] = 1;
       served[static_cast<std::size_t>(edge.b)] = 1;
     }
@@ -39,20 +39,21 @@ std::vector<Edge> ChooseEdges(const SmoothingState& s)
     if (!served[p] && (kind(static_cast<Id>(p)) & 3) != JunctionCorner &&
         s.star.Count(static_cast<Id>(p)) > 0)
     {
-      chosen.push_back({ static_cast<Id>(p), -1 });
+      chosen.push_back(-1 - static_cast<Id>(p));
     }
   }
   return chosen;
 }
 
-std::vector<std::vector<Edge>> ColourEdges(const SmoothingState& s, const std::vector<Edge>& edges)
+std::vector<std::vector<Relaxable>> ColourEdges(const SmoothingState& s, const std::vector<Relaxable>& chosen)
 {
   std::vector<Mask> written(s.surface.points.size(), Mask{});
   std::vector<Mask> read(s.surface.points.size(), Mask{});
-  std::vector<std::vector<Edge>> classes(colours);
+  std::vector<std::vector<Relaxable>> classes(colours);
   std::vector<Id> reach;
-  for (const Edge& edge : edges)
+  for (const Relaxable which : chosen)
   {
+    const Edge edge = EndsOf(s, which);
     reach.clear();
     for (Id end : { edge.a, edge.b })
     {
@@ -92,7 +93,7 @@ std::vector<std::vector<Edge>> ColourEdges(const SmoothingState& s, const std::v
     if (colour < 0)
     {
       // More than `colours` edges meet here: such an edge waits in a class of its own.
-      classes.push_back({ edge });
+      classes.push_back({ which });
       continue;
     }
     const auto word = static_cast<std::size_t>(colour / 64);
@@ -108,7 +109,7 @@ std::vector<std::vector<Edge>> ColourEdges(const SmoothingState& s, const std::v
         written[static_cast<std::size_t>(end)][word] |= flag;
       }
     }
-    classes[static_cast<std::size_t>(colour)].push_back(edge);
+    classes[static_cast<std::size_t>(colour)].push_back(which);
   }
   classes.erase(std::remove_if(classes.begin(), classes.end(), [](const auto& c) { return c.empty(); }),
                 classes.end());

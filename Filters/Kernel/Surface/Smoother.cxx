@@ -122,8 +122,9 @@ double Smoother::MovePerSweep(int sweeps) const
 
 /// Relaxes one edge at full weight or, where that is refused, at less. Returns whether it need not be asked
 /// again in this phase: its move is refused at any weight.
-bool Smoother::RelaxOne(const Edge& edge)
+bool Smoother::RelaxOne(Relaxable which)
 {
+  const Edge edge = EndsOf(this->State, which);
   double weight = this->Options.relaxation;
   for (int attempt = 0; attempt <= halvings; ++attempt, weight /= 2)
   {
@@ -155,7 +156,7 @@ Id Smoother::Sweep(Monitor& monitor)
   Id refused = 0;
   for (std::size_t c = 0; c < this->Classes.size(); ++c)
   {
-    const std::vector<Edge>& edges = this->Classes[c];
+    const std::vector<Relaxable>& edges = this->Classes[c];
     std::vector<char>& stuck = this->Stuck[c];
     monitor.For(static_cast<Id>(edges.size()), 512,
                 [&](Id begin, Id end)
@@ -295,7 +296,7 @@ void Smoother::StartPhase(double reach, Monitor& monitor)
   }
   this->Guard.StartPhase(std::move(radii));
   this->Stuck.clear();
-  for (const std::vector<Edge>& edges : this->Classes)
+  for (const std::vector<Relaxable>& edges : this->Classes)
   {
     this->Stuck.emplace_back(edges.size(), 0);
   }

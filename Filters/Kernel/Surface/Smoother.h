@@ -54,7 +54,7 @@ public:
 private:
   void StartPhase(double reach, Monitor& monitor);
   bool Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor);
-  bool RelaxOne(const Edge& edge);
+  bool RelaxOne(Relaxable which);
   Id Sweep(Monitor& monitor);
   Id RollBack(Monitor& monitor);
   void Widen(std::vector<Id>& points, int times) const;
@@ -76,7 +76,7 @@ private:
   std::vector<double> Floors; ///< of the clearances around the points
   bool GaveBack = false;
   bool Careful;
-  std::vector<std::vector<Edge>> Classes;
+  std::vector<std::vector<Relaxable>> Classes;
   std::vector<std::vector<char>> Stuck; ///< edges of Classes that wait for the next phase
 };
 
