@@ -12,7 +12,7 @@ namespace
 
 constexpr double TwoPi = 6.283185307179586;
 constexpr Id Block = 8192; ///< points that are summed in one go
-constexpr double tolerance = 1e-6;
+constexpr double tolerance = 1e-5;
 constexpr int mostIterations = 1000;
 
 /// Cotangents beyond these belong to triangles too thin to tell a curvature.
@@ -28,6 +28,47 @@ double Cotangent(const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 } // namespace
+
+// Templates, as they visit every point in every step of the conjugate gradients.
+template<typename Visit>
+void SheetFairing::ForPoints(const Visit& visit) const
+{
+  this->Watch.For(static_cast<Id>(this->State.surface.points.size()), Block,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id p = begin; p < end; ++p)
+                    {
+                      visit(static_cast<std::size_t>(p));
+                    }
+                  });
+}
+
+template<typename Term>
+double SheetFairing::Sum(const Term& term) const
+{
+  const Id count = static_cast<Id>(this->State.surface.points.size());
+  const Id blocks = (count + Block - 1) / Block;
+  Vector sums(static_cast<std::size_t>(blocks), 0);
+  this->Watch.For(blocks, 1,
+                  [&](Id begin, Id end)
+                  {
+                    for (Id b = begin; b < end; ++b)
+                    {
+                      double sum = 0;
+                      for (Id p = b * Block; p < std::min(count, (b + 1) * Block); ++p)
+                      {
+                        sum += term(static_cast<std::size_t>(p));
+                      }
+                      sums[static_cast<std::size_t>(b)] = sum;
+                    }
+                  });
+  double all = 0;
+  for (const double sum : sums)
+  {
+    all += sum;
+  }
+  return all;
+}
 
 SheetFairing::SheetFairing(const SmoothingState& state, Monitor& monitor)
   : State(state)
@@ -60,44 +101,6 @@ void SheetFairing::FillRow(Id p)
     add(r, 0.5 * Cotangent(x(q), x(r), x(p)));
     this->Area[static_cast<std::size_t>(p)] += Norm(AreaVector2(points, t)) / 6;
   }
-}
-
-void SheetFairing::ForPoints(const std::function<void(std::size_t)>& visit) const
-{
-  this->Watch.For(static_cast<Id>(this->State.surface.points.size()), Block,
-                  [&](Id begin, Id end)
-                  {
-                    for (Id p = begin; p < end; ++p)
-                    {
-                      visit(static_cast<std::size_t>(p));
-                    }
-                  });
-}
-
-double SheetFairing::Sum(const std::function<double(std::size_t)>& term) const
-{
-  const Id count = static_cast<Id>(this->State.surface.points.size());
-  const Id blocks = (count + Block - 1) / Block;
-  Vector sums(static_cast<std::size_t>(blocks), 0);
-  this->Watch.For(blocks, 1,
-                  [&](Id begin, Id end)
-                  {
-                    for (Id b = begin; b < end; ++b)
-                    {
-                      double sum = 0;
-                      for (Id p = b * Block; p < std::min(count, (b + 1) * Block); ++p)
-                      {
-                        sum += term(static_cast<std::size_t>(p));
-                      }
-                      sums[static_cast<std::size_t>(b)] = sum;
-                    }
-                  });
-  double all = 0;
-  for (const double sum : sums)
-  {
-    all += sum;
-  }
-  return all;
 }
 
 double SheetFairing::Stiff(const Vector& x, std::size_t p) const

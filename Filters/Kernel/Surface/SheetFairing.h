@@ -39,8 +39,10 @@ private:
   using Apply = std::function<void(const Vector& x, Vector& y)>;
 
   void FillRow(Id p);
-  void ForPoints(const std::function<void(std::size_t)>& visit) const;
-  double Sum(const std::function<double(std::size_t)>& term) const;
+  template<typename Visit>
+  void ForPoints(const Visit& visit) const;
+  template<typename Term>
+  double Sum(const Term& term) const;
   /// minus the integral of the Laplacian of x around point p
   double Stiff(const Vector& x, std::size_t p) const;
   Vector Solve(const Apply& apply, const Vector& diagonal, const Vector& right) const;
