@@ -72,6 +72,10 @@ Result<FindPatchesReport> FindPatches(const VolumeMesh& mesh, const TriangleComp
                                       const FindPatchesOptions& options, MeshPatches& patches,
                                       Monitor& monitor, const CellFaces* known = nullptr);
 
+/// Count a face, its fourth corner -1 for a triangle, towards its patch: faces, area, and the centre times
+/// the area.
+void AddToPatch(const VolumeMesh& mesh, const std::array<Id, 4>& corners, MeshPatch& patch);
+
 /// The name of a material: its own, else "material_<id>".
 std::string MaterialName(const std::map<int, std::string>& names, int material);
 
