@@ -19,6 +19,22 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
+/// The name that somebody gave to a plane patch of the surface: what is after its kind is more than a number.
+/// Empty if nobody did.
+std::string GivenName(const TriangleComplex* surface, int patch)
+{
+  const auto at = static_cast<std::size_t>(patch);
+  if (surface == nullptr || patch == 0 || at >= surface->patchNames.size())
+  {
+    return "";
+  }
+  const std::string& name = surface->patchNames[at];
+  const auto own = name.find('_');
+  const bool isGiven = own != std::string::npos && own + 1 < name.size() &&
+                       name.find_first_not_of("0123456789", own + 1) != std::string::npos;
+  return isGiven ? name : "";
+}
+
 /// Gives materials and patches their names, and remembers what was asked for in vain.
 class Naming
 {
@@ -52,7 +68,7 @@ public:
     {
       name += "_" + short_(patch.pair.second);
     }
-    name = this->Replace(name + "_" + std::to_string(number));
+    name = this->Replace(patch.name.empty() ? name + "_" + std::to_string(number) : patch.name);
     std::string unique = name;
     for (int n = 2; !this->Taken.insert(unique).second; ++n)
     {
@@ -104,7 +120,8 @@ std::vector<MeshPatch> NamePatches(std::vector<MeshPatch> pieces, double extent,
       const std::size_t p = family.second[m];
       rank[p] = static_cast<int>(patches.size());
       patches.push_back(pieces[p]);
-      patches.back().name = naming.Name(patches.back(), ++number, materials);
+      number += patches.back().name.empty() ? 1 : 0;
+      patches.back().name = naming.Name(patches.back(), number, materials);
     }
   }
   return patches;
@@ -152,6 +169,7 @@ Result<FindPatchesReport> FindPatches(const VolumeMesh& mesh, const TriangleComp
   {
     pieces[pieceOf[f]].kind = raw[f].group.kind;
     pieces[pieceOf[f]].pair = raw[f].group.pair;
+    pieces[pieceOf[f]].name = GivenName(surface, raw[f].group.surfacePatch);
     AddToPatch(mesh, raw[f].corners, pieces[pieceOf[f]]);
   }
   FindPatchesReport report;
