@@ -16,6 +16,8 @@ class Parser(argparse.ArgumentParser):
     def error(self, message):
         if "--thresholds" in message and "expected one argument" in message:
             message += "; negative values need an equals sign: --thresholds=-20,215"
+        if "--cut" in message and "expected one argument" in message:
+            message += "; negative values need an equals sign: --cut=-1,0,5,0,0,1"
         fail("options", message, code=2)
 
 
@@ -80,6 +82,15 @@ def borders(text):
     return words
 
 
+def cut(text):
+    """Origin, normal and name of a plane that cuts a vessel off."""
+    words = text.split(",")
+    if len(words) not in (6, 7):
+        raise argparse.ArgumentTypeError(f"'{text}': give the plane's origin and normal, and perhaps a name: X,Y,Z,NX,NY,NZ,NAME")
+    values = numbers(",".join(words[:6]))
+    return values[:3], values[3:], words[6].strip() if len(words) > 6 else ""
+
+
 def formats(text):
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
     from lamina_export import FORMATS
@@ -112,6 +123,8 @@ def parse(arguments):
     p.add_argument("--smoothing-sweeps", type=whole(0), default=20, help="sweeps of smoothing (20)")
     p.add_argument("--scale", type=positive, default=1.0, help="factor on the coordinates of surface and mesh (1)")
     p.add_argument("--open-border", type=borders, default=[], metavar="image,mask", help="where fluids stay open")
+    p.add_argument("--cut", type=cut, action="append", default=[], metavar="X,Y,Z,NX,NY,NZ[,NAME]",
+                   help="cut a vessel off by a plane (origin, normal towards what goes); may be repeated")
     p.add_argument("--unit", default="", help="unit of length after --scale, for the files' heads (mm)")
     p.add_argument("--names", default="", metavar="LIST", help="such as \"1=tissue; 2=blood; wall_tissue_1=epicardium\"")
     p.add_argument("--doubled-nodes", action="store_true", help="fluid and solid with coincident nodes of their own")

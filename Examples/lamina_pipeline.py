@@ -214,6 +214,9 @@ class Pipeline:
         self.run_stage("Multimaterial Marching Cubes", cubes)
         smooth = simple.VolumeConservingSmoothing(Input=cubes, Sweeps=options.smoothing_sweeps)
         self.run_stage("Volume-Conserving Smoothing", smooth)
+        for origin, normal, name in options.cut:
+            smooth = simple.VesselCut(Input=smooth, Origin=origin, Normal=normal, Name=name, OpenMaterials=fluid)
+            self.run_stage("Vessel Cut", smooth)
         size = simple.FeatureSize(Input=smooth, Layers=options.layers, Anisotropy=options.anisotropy,
                                   MinimumSize=options.min_size or 0, MaximumSize=options.max_size or 0,
                                   Gradient=options.gradient)

@@ -2,6 +2,7 @@
 #include "Arrays.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkStringArray.h>
 
 namespace lamina
 {
@@ -34,6 +35,17 @@ vtkSmartPointer<vtkPoints> MakePoints(const std::vector<Vec3>& points)
   auto result = vtkSmartPointer<vtkPoints>::Take(vtkPoints::New(VTK_DOUBLE));
   result->SetData(array);
   return result;
+}
+
+vtkSmartPointer<vtkStringArray> MakeStrings(const char* name, const std::vector<std::string>& values)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
 }
 
 } // namespace lamina

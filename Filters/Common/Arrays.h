@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+class vtkStringArray;
+
 namespace lamina
 {
 
@@ -75,6 +77,9 @@ Result<std::vector<T>> ReadValues(vtkDataSetAttributes* attributes, const char* 
   }
   return values;
 }
+
+/// An array of text.
+vtkSmartPointer<vtkStringArray> MakeStrings(const char* name, const std::vector<std::string>& values);
 
 /// The points as doubles; a failure if a coordinate is not finite.
 Result<std::vector<Vec3>> ReadPoints(vtkPoints* points);

@@ -13,6 +13,8 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <numeric>
+
 namespace lamina
 {
 
@@ -117,6 +119,13 @@ void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output)
   SetOrRemove<vtkIntArray>(output->GetCellData(), names::LayerIds, mesh.layers);
   SetOrRemove<vtkIntArray>(output->GetPointData(), names::LayerIndex, mesh.layerIndex);
   SetOrRemove<vtkIdTypeArray>(output->GetPointData(), names::InterfaceNodeIds, mesh.interfaceNodeIds);
+}
+
+void WriteNodeIds(vtkUnstructuredGrid* output)
+{
+  std::vector<Id> ids(static_cast<std::size_t>(output->GetNumberOfPoints()));
+  std::iota(ids.begin(), ids.end(), Id{ 0 });
+  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>(names::GlobalNodeIds, ids));
 }
 
 } // namespace lamina

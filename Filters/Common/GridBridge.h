@@ -24,5 +24,7 @@ Result<VolumeMesh> ReadGrid(vtkUnstructuredGrid* input, WithoutMaterials without
 
 /// Give `output` the mesh's points, cells and arrays.
 void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output);
+/// Number the points of a grid from 0 as GlobalNodeIds.
+void WriteNodeIds(vtkUnstructuredGrid* output);
 
 } // namespace lamina

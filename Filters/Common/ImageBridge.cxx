@@ -4,14 +4,14 @@
 #include "Arrays.h"
 #include "MeshArrayNames.h"
 
+#include "Base/Text.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,6 @@ namespace lamina
 
 namespace
 {
-
-constexpr int LargestMaterial = 65535;
-
-std::string SizeText(const std::array<Id, 3>& size)
-{
-  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
-}
 
 bool IsOrthonormal(const std::array<double, 9>& m)
 {
@@ -305,16 +298,6 @@ void WriteGeometry(const GridGeometry& grid, vtkImageData* image)
   image->SetOrigin(grid.origin.x, grid.origin.y, grid.origin.z);
   image->SetSpacing(grid.spacing.x, grid.spacing.y, grid.spacing.z);
   image->SetDirectionMatrix(grid.direction.data());
-}
-
-void WriteInformation(const GridGeometry& grid, vtkInformation* information)
-{
-  const int extent[6] = { 0, static_cast<int>(grid.size[0]) - 1, 0, static_cast<int>(grid.size[1]) - 1,
-                          0, static_cast<int>(grid.size[2]) - 1 };
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  information->Set(vtkDataObject::ORIGIN(), &grid.origin.x, 3);
-  information->Set(vtkDataObject::SPACING(), &grid.spacing.x, 3);
-  information->Set(vtkDataObject::DIRECTION(), grid.direction.data(), 9);
 }
 
 void WriteLabels(const LabelImage& labels, vtkImageData* image)

@@ -10,7 +10,6 @@
 
 class vtkDataArray;
 class vtkImageData;
-class vtkInformation;
 
 namespace lamina
 {
@@ -40,8 +39,6 @@ Result<LabelImage> ReadMask(vtkImageData* mask, const GridGeometry& image);
 
 /// Set the geometry of a new image whose extent starts at 0.
 void WriteGeometry(const GridGeometry& grid, vtkImageData* image);
-/// Tell the pipeline about an image that a source is going to make (in RequestInformation).
-void WriteInformation(const GridGeometry& grid, vtkInformation* information);
 /// Put the labels on an image of the same size as its material ids, and make them its active scalars.
 void WriteLabels(const LabelImage& labels, vtkImageData* image);
 

@@ -32,17 +32,6 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
-vtkSmartPointer<vtkStringArray> Strings(const char* name, const std::vector<std::string>& values)
-{
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetName(name);
-  for (const std::string& value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
-
 /// The field data's arrays that hold the patches; null where one is missing or misshapen.
 struct PatchArrays
 {
@@ -132,18 +121,6 @@ bool Fits(const VolumeMesh& mesh, const PatchFace& face, const MeshPatch& patch)
   return fits;
 }
 
-void Measure(const VolumeMesh& mesh, const CellFace& face, MeshPatch& patch)
-{
-  const auto at = [&](std::size_t k) { return mesh.points[Index(face.corners[k])]; };
-  for (std::size_t k = 1; k < (face.IsQuad() ? 3u : 2u); ++k)
-  {
-    const double area = 0.5 * Norm(Cross(at(k) - at(0), at(k + 1) - at(0)));
-    patch.area += area;
-    patch.centre += (at(0) + at(k) + at(k + 1)) * (area / 3);
-  }
-  ++patch.faces;
-}
-
 } // namespace
 
 const char* KindName(PatchKind kind)
@@ -187,7 +164,7 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid)
     materialNames.push_back(name);
   }
   vtkFieldData* field = grid->GetFieldData();
-  field->AddArray(Strings(names::PatchNames, patchNames));
+  field->AddArray(MakeStrings(names::PatchNames, patchNames));
   field->AddArray(MakeArray<vtkIntArray>(names::PatchKinds, kinds));
   field->AddArray(MakeArray<vtkIntArray>(names::PatchMaterials, pairs, 2));
   field->AddArray(MakeArray<vtkIdTypeArray>(names::PatchFaces, faces, FaceParts));
@@ -195,7 +172,7 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid)
     MakeArray<vtkIdTypeArray>(names::PatchedCells, std::vector<Id>{ grid->GetNumberOfCells() }));
   if (!named.empty())
   {
-    field->AddArray(Strings(names::MaterialNames, materialNames));
+    field->AddArray(MakeStrings(names::MaterialNames, materialNames));
     field->AddArray(MakeArray<vtkIntArray>(names::NamedMaterials, named));
   }
 }
@@ -230,7 +207,7 @@ MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool&
               !Fits(mesh, face, read.patches[Index(face.patch)]);
     if (!isStale)
     {
-      Measure(mesh, FaceOf(mesh, face.cell, face.face), read.patches[Index(face.patch)]);
+      AddToPatch(mesh, FaceOf(mesh, face.cell, face.face).corners, read.patches[Index(face.patch)]);
     }
   }
   for (MeshPatch& patch : read.patches)
@@ -250,90 +227,6 @@ bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches)
   }
   TakeRows(arrays, patches);
   return true;
-}
-
-void WriteBoundary(const VolumeMesh& mesh, const MeshPatches& patches, vtkPolyData* output, int only)
-{
-  std::vector<Id> numberOf(mesh.points.size(), -1);
-  std::vector<Id> nodes;
-  std::vector<Vec3> points;
-  std::vector<Id> interfaceNodes;
-  std::vector<Id> connectivity;
-  std::vector<Id> offsets{ 0 };
-  std::vector<int> ids;
-  std::vector<int> labels;
-  for (const PatchFace& face : patches.faces)
-  {
-    if (only >= 0 && face.patch != only)
-    {
-      continue;
-    }
-    const CellFace corners = FaceOf(mesh, face.cell, face.face);
-    for (std::size_t k = 0; k < (corners.IsQuad() ? 4u : 3u); ++k)
-    {
-      Id& number = numberOf[Index(corners.corners[k])];
-      if (number < 0)
-      {
-        number = static_cast<Id>(nodes.size());
-        nodes.push_back(corners.corners[k]);
-        points.push_back(mesh.points[Index(nodes.back())]);
-        interfaceNodes.push_back(mesh.interfaceNodeIds.empty() ? -1
-                                                               : mesh.interfaceNodeIds[Index(nodes.back())]);
-      }
-      connectivity.push_back(number);
-    }
-    offsets.push_back(static_cast<Id>(connectivity.size()));
-    ids.push_back(face.patch);
-    const MaterialPair& pair = patches.patches[Index(face.patch)].pair;
-    labels.insert(labels.end(), { pair.first, pair.second });
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(MakeArray<vtkIdTypeArray>("", offsets), MakeArray<vtkIdTypeArray>("", connectivity));
-  output->SetPoints(MakePoints(points));
-  output->SetPolys(cells);
-  output->GetCellData()->AddArray(MakeArray<vtkIntArray>(names::PatchIds, ids));
-  output->GetCellData()->AddArray(MakeArray<vtkIntArray>(names::BoundaryLabels, labels, 2));
-  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>(names::GlobalNodeIds, nodes));
-  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>(names::InterfaceNodeIds, interfaceNodes));
-  std::vector<std::string> patchNames;
-  for (const MeshPatch& patch : patches.patches)
-  {
-    patchNames.push_back(patch.name);
-  }
-  output->GetFieldData()->AddArray(Strings(names::PatchNames, patchNames));
-}
-
-void WritePatchTable(const MeshPatches& patches, vtkTable* table)
-{
-  std::vector<std::string> patchNames;
-  std::vector<std::string> kinds;
-  std::vector<int> first;
-  std::vector<int> second;
-  std::vector<Id> faces;
-  std::array<std::vector<double>, 4> figures;
-  for (const MeshPatch& patch : patches.patches)
-  {
-    patchNames.push_back(patch.name);
-    kinds.emplace_back(KindName(patch.kind));
-    first.push_back(patch.pair.first);
-    second.push_back(patch.pair.second);
-    faces.push_back(patch.faces);
-    figures[0].push_back(patch.area);
-    for (int k = 0; k < 3; ++k)
-    {
-      figures[static_cast<std::size_t>(k) + 1].push_back(patch.centre[k]);
-    }
-  }
-  table->AddColumn(Strings("Name", patchNames));
-  table->AddColumn(Strings("Kind", kinds));
-  table->AddColumn(MakeArray<vtkIntArray>("MaterialA", first));
-  table->AddColumn(MakeArray<vtkIntArray>("MaterialB", second));
-  table->AddColumn(MakeArray<vtkIdTypeArray>("Faces", faces));
-  const char* const columns[] = { "Area", "X", "Y", "Z" };
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    table->AddColumn(MakeArray<vtkDoubleArray>(columns[k], figures[k]));
-  }
 }
 
 } // namespace lamina

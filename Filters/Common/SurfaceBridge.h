@@ -17,6 +17,9 @@ namespace lamina
 /// (PlainSurface.h).
 Result<TriangleComplex> ReadSurface(vtkPolyData* input, Monitor& monitor);
 
+/// The same for an input that may be left out: empty if it is. A failure says that the surface is meant.
+Result<TriangleComplex> ReadSideSurface(vtkPolyData* input, Monitor& monitor);
+
 /// Give `output` the surface's points and triangles, its arrays, and take away arrays of the contract it does
 /// not have. Other arrays of `output` stay: fill it by ShallowCopy from the input first if they still fit.
 void WriteSurface(const TriangleComplex& surface, vtkPolyData* output);

@@ -23,6 +23,11 @@ bool SaveJob::GoesOn(double fraction, const char* what)
   return static_cast<bool>(this->status);
 }
 
+std::string TitleOf(const MeshModel& model)
+{
+  return "Fluid-solid mesh by Lamina" + (model.unit.empty() ? "" : ", lengths in " + model.unit);
+}
+
 std::vector<Id> CellsOf(const MeshModel& model, int material, CellType type)
 {
   std::vector<Id> cells;
@@ -75,19 +80,6 @@ int SideNodes(const MeshModel& model, const Side& side, std::array<Id, 8>& nodes
     }
   }
   return model.IsQuadratic() ? 2 * n : n;
-}
-
-const std::vector<std::array<int, 2>>& UsualEdges(CellType type)
-{
-  static const std::vector<std::array<int, 2>> tet{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } },
-                                                    { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } };
-  static const std::vector<std::array<int, 2>> wedge{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } },
-                                                      { { 3, 4 } }, { { 4, 5 } }, { { 5, 3 } },
-                                                      { { 0, 3 } }, { { 1, 4 } }, { { 2, 5 } } };
-  static const std::vector<std::array<int, 2>> pyramid{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 3 } },
-                                                        { { 3, 0 } }, { { 0, 4 } }, { { 1, 4 } },
-                                                        { { 2, 4 } }, { { 3, 4 } } };
-  return type == CellType::Tetrahedron ? tet : (type == CellType::Wedge ? wedge : pyramid);
 }
 
 } // namespace lamina

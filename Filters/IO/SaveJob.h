@@ -36,6 +36,8 @@ struct SaveJob
   bool GoesOn(double fraction, const char* what);
 };
 
+/// What a file is, with the unit of length if it is known: for its head.
+std::string TitleOf(const MeshModel& model);
 /// Cells of one material and type, ascending.
 std::vector<Id> CellsOf(const MeshModel& model, int material, CellType type);
 /// All types, in the order in which blocks are written.
@@ -46,8 +48,5 @@ int OrderedNodes(const MeshModel& model, Id cell, const std::vector<std::array<i
                  std::array<Id, 15>& nodes);
 /// The corners of a side, counter-clockwise seen from outside, then its middle nodes if there are any.
 int SideNodes(const MeshModel& model, const Side& side, std::array<Id, 8>& nodes);
-/// The edges of a cell's middle nodes in the order of Abaqus, FEBio and others: around the base, around the
-/// roof, then upwards.
-const std::vector<std::array<int, 2>>& UsualEdges(CellType type);
 
 } // namespace lamina

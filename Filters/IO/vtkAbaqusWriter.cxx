@@ -68,7 +68,7 @@ void WriteElements(lamina::TextFile& file, const lamina::SaveJob& job)
       std::array<lamina::Id, 15> nodes;
       for (lamina::Id cell : cells)
       {
-        const int count = lamina::OrderedNodes(job.model, cell, lamina::UsualEdges(type), nodes);
+        const int count = lamina::OrderedNodes(job.model, cell, lamina::EdgeNodes(type), nodes);
         file << cell + 1;
         for (int k = 0; k < count; ++k)
         {
@@ -104,11 +104,9 @@ void WriteSurface(lamina::TextFile& file, const lamina::SaveJob& job, const lami
 
 lamina::FormatLimits vtkAbaqusWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "Abaqus";
+  // Names have 80 characters, with room for _faces.
+  lamina::FormatLimits limits = lamina::LimitsOf("Abaqus", 999999999, 73);
   limits.holdsQuadratic = true;
-  limits.largestId = 999999999;
-  limits.nameLength = 73; // 80, with room for _faces
   limits.ignoresCase = true;
   return limits;
 }
@@ -116,8 +114,7 @@ lamina::FormatLimits vtkAbaqusWriter::Limits() const
 void vtkAbaqusWriter::Save(lamina::SaveJob& job)
 {
   lamina::TextFile file(job.path);
-  file << "*HEADING\nFluid-solid mesh by Lamina";
-  file << (job.model.unit.empty() ? "" : ", lengths in " + job.model.unit) << "\n*NODE, NSET=all_nodes\n";
+  file << "*HEADING\n" << lamina::TitleOf(job.model) << "\n*NODE, NSET=all_nodes\n";
   const auto& points = job.model.mesh.points;
   for (std::size_t p = 0; p < points.size(); ++p)
   {

@@ -89,13 +89,7 @@ lamina::Status WriteSurface(const lamina::MeshModel& model, const lamina::SideSe
 
 lamina::FormatLimits vtkCARPWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "openCARP";
-  limits.holdsWedges = false;
-  limits.holdsPyramids = false;
-  limits.largestId = 2147483647;
-  limits.nameLength = 100;
-  return limits;
+  return lamina::TetrahedraOnly("openCARP", lamina::LargestInt, 100);
 }
 
 void vtkCARPWriter::Save(lamina::SaveJob& job)

@@ -81,7 +81,7 @@ std::map<int, std::vector<std::string>> WriteElements(lamina::TextFile& file, co
       file << "    <Elements type=\"" << typeName << "\" name=\"" << name << "\">\n";
       for (Id cell : cells)
       {
-        const int count = lamina::OrderedNodes(job.model, cell, lamina::UsualEdges(type), nodes);
+        const int count = lamina::OrderedNodes(job.model, cell, lamina::EdgeNodes(type), nodes);
         file << "      <elem id=\"" << cell + 1 << "\">";
         for (int k = 0; k < count; ++k)
         {
@@ -118,11 +118,8 @@ void WriteSurface(lamina::TextFile& file, const lamina::SaveJob& job, const lami
 
 lamina::FormatLimits vtkFEBioWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "FEBio";
+  lamina::FormatLimits limits = lamina::LimitsOf("FEBio", lamina::LargestInt, 200);
   limits.holdsQuadratic = true;
-  limits.largestId = 2147483647;
-  limits.nameLength = 200;
   return limits;
 }
 

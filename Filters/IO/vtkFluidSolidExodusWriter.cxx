@@ -34,7 +34,7 @@ const std::vector<std::array<int, 2>>& Edges(CellType type)
   static const std::vector<std::array<int, 2>> wedge{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } },
                                                       { { 0, 3 } }, { { 1, 4 } }, { { 2, 5 } },
                                                       { { 3, 4 } }, { { 4, 5 } }, { { 5, 3 } } };
-  return type == CellType::Wedge ? wedge : lamina::UsualEdges(type);
+  return type == CellType::Wedge ? wedge : lamina::EdgeNodes(type);
 }
 
 /// The number of one of our faces (CellFaces.h) in Exodus, whose wedge stands on our wedge's first triangle
@@ -235,12 +235,10 @@ void AddSets(lamina::NetcdfFile& file, const lamina::SaveJob& job, int nameLengt
 
 lamina::FormatLimits vtkFluidSolidExodusWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "Exodus";
+  // Names have 32 characters, with room for the mark of further blocks.
+  lamina::FormatLimits limits = lamina::LimitsOf("Exodus", lamina::LargestInt, 30);
   limits.holdsQuadratic = true;
   limits.holdsQuadraticPyramids = true;
-  limits.largestId = 2147483647;
-  limits.nameLength = 30; // 32, with room for the mark of further blocks
   return limits;
 }
 

@@ -259,7 +259,7 @@ lamina::FormatLimits vtkGmshWriter::Limits() const
   limits.format = "Gmsh";
   limits.holdsQuadratic = true;
   limits.holdsQuadraticPyramids = true;
-  limits.largestId = this->Version == 22 ? 2147483647 : 0;
+  limits.largestId = this->Version == 22 ? lamina::LargestInt : 0;
   limits.nameLength = 127;
   limits.lettersOnly = false;
   return limits;

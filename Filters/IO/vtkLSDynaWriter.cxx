@@ -74,19 +74,14 @@ void WriteParts(lamina::TextFile& file, const lamina::SaveJob& job)
 
 lamina::FormatLimits vtkLSDynaWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "LS-DYNA";
-  limits.largestId = 99999999;
-  limits.nameLength = 70;
-  return limits;
+  return lamina::LimitsOf("LS-DYNA", 99999999, 70);
 }
 
 void vtkLSDynaWriter::Save(lamina::SaveJob& job)
 {
   const lamina::VolumeMesh& mesh = job.model.mesh;
   lamina::TextFile file(job.path);
-  file << "*KEYWORD\n*TITLE\nFluid-solid mesh by Lamina"
-       << (job.model.unit.empty() ? "" : ", lengths in " + job.model.unit) << "\n";
+  file << "*KEYWORD\n*TITLE\n" << lamina::TitleOf(job.model) << "\n";
   WriteParts(file, job);
   file << "*NODE\n";
   for (std::size_t p = 0; p < mesh.points.size(); ++p)

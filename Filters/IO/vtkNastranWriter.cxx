@@ -48,19 +48,14 @@ void WriteSet(lamina::TextFile& file, int set, const std::vector<Id>& ids)
 
 lamina::FormatLimits vtkNastranWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "Nastran";
-  limits.largestId = 99999999;
-  limits.nameLength = 64;
-  return limits;
+  return lamina::LimitsOf("Nastran", 99999999, 64);
 }
 
 void vtkNastranWriter::Save(lamina::SaveJob& job)
 {
   const lamina::VolumeMesh& mesh = job.model.mesh;
   lamina::TextFile file(job.path);
-  file << "$ Fluid-solid mesh by Lamina" << (job.model.unit.empty() ? "" : ", lengths in " + job.model.unit)
-       << "\nBEGIN BULK\n";
+  file << "$ " << lamina::TitleOf(job.model) << "\nBEGIN BULK\n";
   // Materials keep their ids as properties; patches follow.
   const int firstPatch = job.materials.back() + 1;
   for (int material : job.materials)

@@ -183,7 +183,7 @@ lamina::FormatLimits vtkOpenFOAMWriter::Limits() const
 {
   lamina::FormatLimits limits;
   limits.format = "OpenFOAM";
-  limits.largestId = 2147483647; // of a label of 32 bits, as most builds have
+  limits.largestId = lamina::LargestInt; // of a label of 32 bits, as most builds have
   return limits;
 }
 

@@ -17,8 +17,7 @@ void WriteOne(const lamina::MeshModel& model, const std::map<std::string, std::s
               const std::string& path, lamina::SaveJob& job)
 {
   lamina::TextFile file(path);
-  file << "% Fluid-solid mesh by Lamina" << (model.unit.empty() ? "" : ", lengths in " + model.unit)
-       << "\nNDIME= 3\nNELEM= " << model.mesh.CellCount() << "\n";
+  file << "% " << lamina::TitleOf(model) << "\nNDIME= 3\nNELEM= " << model.mesh.CellCount() << "\n";
   std::array<Id, 15> nodes;
   for (Id c = 0; c < model.mesh.CellCount(); ++c)
   {
@@ -73,10 +72,7 @@ void WriteOne(const lamina::MeshModel& model, const std::map<std::string, std::s
 
 lamina::FormatLimits vtkSU2Writer::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "SU2";
-  limits.nameLength = 100;
-  return limits;
+  return lamina::LimitsOf("SU2", 0, 100);
 }
 
 void vtkSU2Writer::Save(lamina::SaveJob& job)

@@ -140,13 +140,7 @@ void WritePiece(const Piece& piece, const std::map<std::string, std::string>& fi
 
 lamina::FormatLimits vtkSimVascularWriter::Limits() const
 {
-  lamina::FormatLimits limits;
-  limits.format = "SimVascular";
-  limits.holdsWedges = false;
-  limits.holdsPyramids = false;
-  limits.largestId = 2147483647;
-  limits.nameLength = 100;
-  return limits;
+  return lamina::TetrahedraOnly("SimVascular", lamina::LargestInt, 100);
 }
 
 void vtkSimVascularWriter::Save(lamina::SaveJob& job)

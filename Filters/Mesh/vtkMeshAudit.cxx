@@ -156,16 +156,10 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     {
       return mesh.GetError();
     }
-    lamina::TriangleComplex interfaces;
-    const bool withSurface = !lamina::IsEmpty(surface);
-    if (withSurface)
+    const auto interfaces = lamina::ReadSideSurface(surface, monitor);
+    if (!interfaces)
     {
-      auto read = lamina::ReadSurface(surface, monitor);
-      if (!read)
-      {
-        return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
-      }
-      interfaces = std::move(*read);
+      return interfaces.GetError();
     }
     const auto labels = ReadImage(image);
     if (!labels)
@@ -186,7 +180,7 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     options.overlapSamples = this->OverlapSamples;
     options.surfaceScale = this->SurfaceScale;
     options.twins = std::move(*twins);
-    const lamina::GridAuditInput all{ &*mesh, withSurface ? &interfaces : nullptr,
+    const lamina::GridAuditInput all{ &*mesh, interfaces->triangles.empty() ? nullptr : &*interfaces,
                                       labels->labels.empty() ? nullptr : &*labels,
                                       hasPatches ? &patches : nullptr };
     auto audit = lamina::AuditWholeGrid(all, options, monitor);

@@ -5,6 +5,8 @@
 #include "ImageBridge.h"
 #include "MeshArrayNames.h"
 
+#include "Base/Text.h"
+
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedShortArray.h"
@@ -20,11 +22,6 @@ namespace
 
 constexpr int LargestRegion = 65535;
 constexpr double PlaceTolerance = 0.1; ///< voxels that the corners of the two grids may lie apart
-
-std::string SizeText(const std::array<Id, 3>& size)
-{
-  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
-}
 
 Vec3 Corner(const GridGeometry& grid, int corner)
 {

@@ -4,6 +4,7 @@
 #include "AlgorithmMonitor.h"
 #include "Arrays.h"
 #include "ImageBridge.h"
+#include "ImageRequests.h"
 #include "MeshArrayNames.h"
 #include "Report.h"
 #include "Stage.h"

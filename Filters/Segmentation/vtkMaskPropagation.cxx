@@ -3,6 +3,7 @@
 
 #include "AlgorithmMonitor.h"
 #include "ImageBridge.h"
+#include "ImageRequests.h"
 #include "MaskBridge.h"
 #include "Report.h"
 #include "SliceReslicing.h"
@@ -18,7 +19,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkMaskPropagation);
@@ -115,24 +115,14 @@ int vtkMaskPropagation::FillOutputPortInformation(int port, vtkInformation* info
 int vtkMaskPropagation::RequestInformation(vtkInformation*, vtkInformationVector**,
                                            vtkInformationVector* outputs)
 {
-  vtkDataObject::SetPointDataActiveScalarInfo(outputs->GetInformationObject(0), VTK_UNSIGNED_SHORT, 1);
-  return 1;
+  return lamina::TellScalarType(outputs, VTK_UNSIGNED_SHORT);
 }
 
 int vtkMaskPropagation::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
                                             vtkInformationVector*)
 {
   // A slice depends on those around it, and the drawn ones may be anywhere.
-  for (int port = 0; port < 2; ++port)
-  {
-    if (vtkInformation* info = inputs[port]->GetInformationObject(0))
-    {
-      int extent[6];
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    }
-  }
-  return 1;
+  return lamina::AskForWholeImages(inputs, 2);
 }
 
 int vtkMaskPropagation::RequestData(vtkInformation*, vtkInformationVector** inputs,

@@ -4,6 +4,7 @@
 #include "AlgorithmMonitor.h"
 #include "Arrays.h"
 #include "ImageBridge.h"
+#include "ImageRequests.h"
 #include "MeshArrayNames.h"
 #include "SegmentationReport.h"
 #include "Stage.h"
@@ -15,7 +16,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -128,24 +128,14 @@ int vtkMultimaterialSegmentation::FillOutputPortInformation(int port, vtkInforma
 int vtkMultimaterialSegmentation::RequestInformation(vtkInformation*, vtkInformationVector**,
                                                      vtkInformationVector* outputs)
 {
-  vtkDataObject::SetPointDataActiveScalarInfo(outputs->GetInformationObject(0), VTK_INT, 1);
-  return 1;
+  return lamina::TellScalarType(outputs, VTK_INT);
 }
 
 int vtkMultimaterialSegmentation::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
                                                       vtkInformationVector*)
 {
   // Components run through the whole image.
-  for (int port = 0; port < 2; ++port)
-  {
-    if (vtkInformation* info = inputs[port]->GetInformationObject(0))
-    {
-      int extent[6];
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    }
-  }
-  return 1;
+  return lamina::AskForWholeImages(inputs, 2);
 }
 
 int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVector** inputs,

@@ -2,9 +2,10 @@
 #include "vtkReassignVoxels.h"
 
 #include "AlgorithmMonitor.h"
-#include "EditDraft.h"
+#include "CurrentEdit.h"
 #include "EditFile.h"
 #include "ImageBridge.h"
+#include "ImageRequests.h"
 #include "MeshArrayNames.h"
 #include "ReassignOutput.h"
 #include "Report.h"
@@ -12,89 +13,15 @@
 
 #include "Segmentation/Reassign.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkSelection.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkReassignVoxels);
-
-namespace
-{
-
-/// The data on port `port`, brought up to date; null if nothing is connected.
-vtkDataObject* UpdatedInput(vtkAlgorithm* self, int port)
-{
-  if (self->GetNumberOfInputConnections(port) == 0)
-  {
-    return nullptr;
-  }
-  int from = 0;
-  vtkAlgorithm* maker = self->GetInputAlgorithm(port, 0, from);
-  maker->Update(from);
-  return maker->GetOutputDataObject(from);
-}
-
-/// The image on port 0; an error if there is none, as voxels are numbered in it.
-vtkImageData* UpdatedImage(vtkAlgorithm* self)
-{
-  auto* image = vtkImageData::SafeDownCast(UpdatedInput(self, 0));
-  if (!image || image->GetNumberOfPoints() == 0)
-  {
-    vtkErrorWithObjectMacro(self, << "no edit was added: connect the image first, whose voxels are meant");
-    return nullptr;
-  }
-  return image;
-}
-
-/// Adds a new edit, or says why not.
-bool Take(vtkReassignVoxels* self, const lamina::Result<lamina::VoxelEdit>& edit, vtkImageData* image)
-{
-  const auto text = edit ? lamina::Finish(*edit, image) : lamina::Result<std::string>(edit.GetError());
-  if (!text)
-  {
-    vtkErrorWithObjectMacro(self, << "no edit was added: " << text.GetError().message);
-    return false;
-  }
-  self->AddEdit(text->c_str());
-  return true;
-}
-
-lamina::VoxelEdit NewEdit(int to, int from)
-{
-  return lamina::DraftEdit("the new edit", to, from == -1 ? std::vector<int>() : std::vector<int>{ from });
-}
-
-/// What Shape and the properties that go with it ask for.
-lamina::Result<lamina::VoxelEdit> MakeCurrentEdit(vtkReassignVoxels* self, vtkImageData* image,
-                                                  vtkSelection* selection)
-{
-  std::vector<int> from;
-  for (int n = 0; n < self->GetNumberOfFromMaterials(); ++n)
-  {
-    from.push_back(self->GetFromMaterial(n));
-  }
-  auto draft = lamina::DraftEdit("the current edit", self->GetToMaterial(), from);
-  switch (self->GetShape())
-  {
-    case vtkReassignVoxels::Selection:
-      return WithSelection(std::move(draft), image, selection);
-    case vtkReassignVoxels::Box:
-      return WithBox(std::move(draft), self->GetBounds());
-    case vtkReassignVoxels::Sphere:
-      return WithSphere(std::move(draft), self->GetCenter(), self->GetRadius());
-    default:
-      return lamina::InvalidOption("the shape of the current edit is " + std::to_string(self->GetShape()) +
-                                   ": choose 1 (selection), 2 (box) or 3 (sphere)");
-  }
-}
-
-} // namespace
 
 vtkReassignVoxels::vtkReassignVoxels()
 {
@@ -145,77 +72,6 @@ vtkStringArray* vtkReassignVoxels::GetEdits()
     this->EditArray->InsertNextValue(edit);
   }
   return this->EditArray;
-}
-
-bool vtkReassignVoxels::AddBox(const double bounds[6], int to, int from)
-{
-  return Take(this, WithBox(NewEdit(to, from), bounds), nullptr);
-}
-
-bool vtkReassignVoxels::AddSphere(const double center[3], double radius, int to, int from)
-{
-  return Take(this, WithSphere(NewEdit(to, from), center, radius), nullptr);
-}
-
-bool vtkReassignVoxels::AddVoxels(vtkIdTypeArray* ids, int to, int from)
-{
-  std::vector<lamina::Id> voxels;
-  for (vtkIdType v = 0; ids && v < ids->GetNumberOfValues(); ++v)
-  {
-    voxels.push_back(ids->GetValue(v));
-  }
-  vtkImageData* image = UpdatedImage(this);
-  return image && Take(this, WithVoxels(NewEdit(to, from), image, voxels), image);
-}
-
-bool vtkReassignVoxels::AddSelection(vtkSelection* selection, int to, int from)
-{
-  vtkImageData* image = UpdatedImage(this);
-  return image && Take(this, WithSelection(NewEdit(to, from), image, selection), image);
-}
-
-bool vtkReassignVoxels::KeepEdit()
-{
-  vtkImageData* image = this->Shape == Selection ? UpdatedImage(this) : nullptr;
-  if (this->Shape == Selection && !image)
-  {
-    return false;
-  }
-  auto* selection = image ? vtkSelection::SafeDownCast(UpdatedInput(this, 1)) : nullptr;
-  const bool kept = Take(this, MakeCurrentEdit(this, image, selection), image);
-  if (kept)
-  {
-    this->SetShape(None);
-  }
-  return kept;
-}
-
-bool vtkReassignVoxels::SaveEdits()
-{
-  const auto saved = this->FileName && *this->FileName
-                       ? lamina::WriteEditFile(this->FileName, this->Edits)
-                       : lamina::Result<bool>(lamina::InvalidOption("no file name is given for the edits"));
-  if (!saved)
-  {
-    vtkErrorMacro("the edits were not saved: " << saved.GetError().message);
-  }
-  return static_cast<bool>(saved);
-}
-
-bool vtkReassignVoxels::LoadEdits()
-{
-  auto loaded = this->FileName && *this->FileName
-                  ? lamina::ReadEditFile(this->FileName)
-                  : lamina::Result<std::vector<std::string>>(
-                      lamina::InvalidOption("no file name is given for the edits"));
-  if (!loaded)
-  {
-    vtkErrorMacro("the edits stay as they are: " << loaded.GetError().message);
-    return false;
-  }
-  this->Edits = std::move(*loaded);
-  this->Modified();
-  return true;
 }
 
 void vtkReassignVoxels::AddFromMaterial(int material)
@@ -274,19 +130,14 @@ int vtkReassignVoxels::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkReassignVoxels::RequestInformation(vtkInformation*, vtkInformationVector**,
                                           vtkInformationVector* outputs)
 {
-  vtkDataObject::SetPointDataActiveScalarInfo(outputs->GetInformationObject(0), VTK_INT, 1);
-  return 1;
+  return lamina::TellScalarType(outputs, VTK_INT);
 }
 
 int vtkReassignVoxels::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
                                            vtkInformationVector*)
 {
   // Ids count through the whole image.
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  int extent[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-  return 1;
+  return lamina::AskForWholeImages(inputs, 1);
 }
 
 int vtkReassignVoxels::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -320,7 +171,7 @@ int vtkReassignVoxels::RequestData(vtkInformation*, vtkInformationVector** input
     const bool live = this->Shape != None && (this->Shape != Selection || selection);
     if (live)
     {
-      auto edit = MakeCurrentEdit(this, input, selection);
+      auto edit = lamina::MakeCurrentEdit(this, input, selection);
       if (!edit)
       {
         return edit.GetError();

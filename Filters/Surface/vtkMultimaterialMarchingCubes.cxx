@@ -3,6 +3,7 @@
 
 #include "AlgorithmMonitor.h"
 #include "ImageBridge.h"
+#include "ImageRequests.h"
 #include "MeshArrayNames.h"
 #include "Report.h"
 #include "Stage.h"
@@ -16,7 +17,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
@@ -125,16 +125,7 @@ int vtkMultimaterialMarchingCubes::RequestUpdateExtent(vtkInformation*, vtkInfor
                                                        vtkInformationVector*)
 {
   // Neighbours matter everywhere: always the whole images.
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    if (vtkInformation* info = inputs[port]->GetInformationObject(0))
-    {
-      int extent[6];
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    }
-  }
-  return 1;
+  return lamina::AskForWholeImages(inputs, this->GetNumberOfInputPorts());
 }
 
 int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVector** inputs,

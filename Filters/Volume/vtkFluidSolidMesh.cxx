@@ -105,18 +105,6 @@ void WriteLengths(vtkUnstructuredGrid* output, double scale, const std::string& 
   }
 }
 
-void WriteNodeIds(const std::vector<lamina::Id>& twins, vtkUnstructuredGrid* output)
-{
-  std::vector<lamina::Id> ids(static_cast<std::size_t>(output->GetNumberOfPoints()));
-  for (std::size_t p = 0; p < ids.size(); ++p)
-  {
-    ids[p] = static_cast<lamina::Id>(p);
-  }
-  vtkPointData* data = output->GetPointData();
-  data->AddArray(lamina::MakeArray<vtkIdTypeArray>(lamina::names::GlobalNodeIds, ids));
-  lamina::SetOrRemove<vtkIdTypeArray>(data, lamina::names::TwinNodeIds, twins);
-}
-
 } // namespace
 
 vtkFluidSolidMesh::vtkFluidSolidMesh()
@@ -183,18 +171,12 @@ int vtkFluidSolidMesh::RequestData(vtkInformation*, vtkInformationVector** input
     {
       return lamina::Done{};
     }
-    lamina::TriangleComplex surface;
-    vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
-    const bool withSurface = !lamina::IsEmpty(given);
-    if (withSurface)
+    const auto surface = lamina::ReadSideSurface(vtkPolyData::GetData(inputs[1]), monitor);
+    if (!surface)
     {
-      auto read = lamina::ReadSurface(given, monitor);
-      if (!read)
-      {
-        return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
-      }
-      surface = std::move(*read);
+      return surface.GetError();
     }
+    const lamina::TriangleComplex* withSurface = surface->triangles.empty() ? nullptr : &*surface;
     std::vector<const lamina::VolumeMesh*> list;
     for (const lamina::VolumeMesh& part : *parts)
     {
@@ -210,8 +192,7 @@ int vtkFluidSolidMesh::RequestData(vtkInformation*, vtkInformationVector** input
     parts->clear();
     lamina::MeshPatches patches;
     lamina::SubMonitor naming(monitor, 0.4, 0.9);
-    const auto found =
-      lamina::FindPatches(mesh, withSurface ? &surface : nullptr, { this->Scale, *names }, patches, naming);
+    const auto found = lamina::FindPatches(mesh, withSurface, { this->Scale, *names }, patches, naming);
     if (!found)
     {
       return found.GetError();
@@ -233,7 +214,8 @@ int vtkFluidSolidMesh::RequestData(vtkInformation*, vtkInformationVector** input
       doubled = split->twins;
     }
     lamina::WriteGrid(mesh, output);
-    WriteNodeIds(twins, output);
+    lamina::WriteNodeIds(output);
+    lamina::SetOrRemove<vtkIdTypeArray>(output->GetPointData(), lamina::names::TwinNodeIds, twins);
     lamina::WritePatches(patches, output);
     WriteLengths(output, this->Scale, this->Unit);
     lamina::WriteBoundary(mesh, patches, vtkPolyData::GetData(outputs, 1));

@@ -19,8 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <numeric>
-
 vtkStandardNewMacro(vtkPrismsToTetrahedra);
 
 int vtkPrismsToTetrahedra::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -55,9 +53,7 @@ int vtkPrismsToTetrahedra::RequestData(vtkInformation*, vtkInformationVector** i
     lamina::WriteGrid(tets, output);
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
     lamina::WritePatches(patches, output);
-    std::vector<lamina::Id> ids(tets.points.size());
-    std::iota(ids.begin(), ids.end(), lamina::Id{ 0 });
-    output->GetPointData()->AddArray(lamina::MakeArray<vtkIdTypeArray>(lamina::names::GlobalNodeIds, ids));
+    lamina::WriteNodeIds(output);
     // Points in the middle of cells have no twin.
     auto twins = lamina::ReadValues<lamina::Id>(input->GetPointData(), lamina::names::TwinNodeIds,
                                                 input->GetNumberOfPoints(), 1, "points");

@@ -25,8 +25,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <numeric>
-
 vtkStandardNewMacro(vtkQuadraticCells);
 
 namespace
@@ -69,14 +67,12 @@ void WriteQuadratic(const lamina::VolumeMesh& mesh, const lamina::QuadraticNodes
   output->SetCells(lamina::MakeArray<vtkUnsignedCharArray>("", types), cells);
   std::vector<int> layers = mesh.layerIndex;
   std::vector<lamina::Id> interfaceNodes = mesh.interfaceNodeIds;
-  std::vector<lamina::Id> ids(points.size());
-  std::iota(ids.begin(), ids.end(), lamina::Id{ 0 });
   layers.resize(points.size(), -1);
   interfaceNodes.resize(points.size(), -1);
   vtkPointData* data = output->GetPointData();
   data->AddArray(lamina::MakeArray<vtkIntArray>(lamina::names::LayerIndex, layers));
   data->AddArray(lamina::MakeArray<vtkIdTypeArray>(lamina::names::InterfaceNodeIds, interfaceNodes));
-  data->AddArray(lamina::MakeArray<vtkIdTypeArray>(lamina::names::GlobalNodeIds, ids));
+  lamina::WriteNodeIds(output);
 }
 
 } // namespace
@@ -100,7 +96,6 @@ int vtkQuadraticCells::RequestData(vtkInformation*, vtkInformationVector** input
                                    vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
-  vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   if (lamina::IsEmpty(input))
   {
@@ -114,15 +109,10 @@ int vtkQuadraticCells::RequestData(vtkInformation*, vtkInformationVector** input
     {
       return mesh.GetError();
     }
-    lamina::TriangleComplex surface;
-    if (!lamina::IsEmpty(given))
+    const auto surface = lamina::ReadSideSurface(vtkPolyData::GetData(inputs[1]), monitor);
+    if (!surface)
     {
-      auto read = lamina::ReadSurface(given, monitor);
-      if (!read)
-      {
-        return lamina::InvalidInput("surface: " + read.GetError().message, read.GetError().places);
-      }
-      surface = std::move(*read);
+      return surface.GetError();
     }
     bool isStale = false;
     lamina::MeshPatches patches = lamina::ReadPatches(input, *mesh, isStale);
@@ -135,7 +125,7 @@ int vtkQuadraticCells::RequestData(vtkInformation*, vtkInformationVector** input
       }
     }
     lamina::QuadraticNodes nodes;
-    const auto report = lamina::AddMiddleNodes(*mesh, patches, &surface,
+    const auto report = lamina::AddMiddleNodes(*mesh, patches, &*surface,
                                                { this->SurfaceScale, this->LargestOffset }, nodes, monitor);
     if (!report)
     {

@@ -5,6 +5,7 @@
 #include "Mesh/VolumeCorrection.h"
 #include "Sizing/FeatureSize.h"
 #include "Surface/AuditSurface.h"
+#include "Surface/CutVessel.h"
 #include "Surface/ExtractInterfaces.h"
 #include "Surface/RefineSurface.h"
 #include "Surface/SmoothSurface.h"
@@ -30,12 +31,17 @@ T Demand(const Result<T>& result, const char* stage)
   return result ? *result : T{};
 }
 
-TriangleComplex MakeSurface(const LabelImage& image, const ExtractInterfacesOptions& options, int layers)
+TriangleComplex MakeSurface(const LabelImage& image, const ExtractInterfacesOptions& options, int layers,
+                            const std::vector<CutVesselOptions>& cuts = {})
 {
   ThreadMonitor monitor(2);
   TriangleComplex surface;
   Demand(ExtractInterfaces(image, surface, options, monitor), "extract");
   Demand(SmoothSurface(surface, {}, monitor), "smooth");
+  for (const CutVesselOptions& cut : cuts)
+  {
+    Demand(CutVessel(surface, cut, monitor), "cut");
+  }
   FeatureSizeOptions sizing;
   sizing.layers = layers;
   Demand(ComputeFeatureSize(surface, sizing, monitor), "size");
@@ -127,5 +133,26 @@ TEST(MeshChain, OpenTube)
   options.openMaterials = { 2 };
   options.openAtImageBorder = true;
   const TriangleComplex surface = MakeSurface(image, options, 3);
+  ExpectAuditPasses(MakeMesh(surface, 3), surface);
+}
+
+TEST(MeshChain, VesselCutByObliquePlanes)
+{
+  const auto image = images::Make({ { 22, 22, 30 } },
+                                  [](Id i, Id j, Id k)
+                                  {
+                                    const double x = static_cast<double>(i) - 10.5;
+                                    const double y = static_cast<double>(j) - 10.5;
+                                    const double r = std::sqrt(x * x + y * y);
+                                    const Id ends = std::min(k, 29 - k);
+                                    return ends > 4 && r < 4.6 ? 2 : (ends > 1 && r < 8.6 ? 1 : 0);
+                                  });
+  CutVesselOptions top;
+  top.origin = { 10.5, 10.5, 21 };
+  top.normal = { 0.3, 0.1, 1 };
+  CutVesselOptions bottom;
+  bottom.origin = { 10.5, 10.5, 9 };
+  bottom.normal = { 0.2, 0, -1 };
+  const TriangleComplex surface = MakeSurface(image, {}, 3, { top, bottom });
   ExpectAuditPasses(MakeMesh(surface, 3), surface);
 }

@@ -240,6 +240,38 @@ TEST(Segment, BackgroundAtAnOpenEndSettles)
   EXPECT_EQ(outcome.Of(1).b0, 1);
 }
 
+TEST(Segment, BloodStaysAtTheOpenEdgeOfARaggedMask)
+{
+  // The edge of the mask touches itself over edges and corners, where only background can be frozen, and
+  // blood may not touch it: a repair there must not eat its way through the blood.
+  GreyImage image = Cube(24, Lumen);
+  Fill(image, { 0, 0, 0 }, { 23, 23, 2 }, Other);
+  Fill(image, { 0, 0, 3 }, { 23, 23, 5 }, Muscle);
+  RegionMask mask;
+  mask.grid = image.grid;
+  mask.inside.assign(image.values.size(), 1);
+  std::mt19937 random(3);
+  for (Id v = 0; v < image.grid.Count(); ++v)
+  {
+    const Id k = v / (24 * 24);
+    mask.inside[v] = k < 15 || (k < 18 && random() % 2 == 0) ? 1 : 0;
+  }
+  SegmentOptions options;
+  options.mask = &mask;
+  options.openAtMaskBorder = true;
+  options.openAtImageBorder = true;
+  const Outcome outcome = Segmented(image, options);
+  ASSERT_EQ(outcome.error, "");
+  EXPECT_EQ(outcome.report.topology.remaining, 0);
+  EXPECT_EQ(outcome.At(12, 12, 12), 2);
+  EXPECT_GE(outcome.Voxels(2), 24 * 24 * 9 - 100) << "what is no part of the ragged edge stays";
+  EXPECT_EQ(outcome.Of(2).b0, 1);
+  for (Id v = 0; v < image.grid.Count(); ++v)
+  {
+    EXPECT_TRUE(mask.inside[v] != 0 || outcome.labels.labels[v] == 0);
+  }
+}
+
 TEST(Segment, IslandsGoToTheirNeighboursAndCavitiesAreFilled)
 {
   GreyImage image = Heart();

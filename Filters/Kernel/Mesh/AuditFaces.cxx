@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AuditFaces.h"
-#include "Adjacency.h"
 
+#include "Adjacency.h"
+#include "AuditStructure.h"
 #include "CellFaces.h"
 #include "Findings.h"
 #include "Openings.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace lamina
@@ -61,8 +61,8 @@ public:
     }
     this->WalkGroups();
     this->FindMismatches();
-    this->CountComponents();
-    this->CountStacks();
+    CountComponents(this->Mesh, this->Faces, this->Report);
+    CountStacks(this->Mesh, this->Faces, this->Report);
     this->Tell();
     this->Marks.faces = std::move(this->Faces);
   }
@@ -225,53 +225,6 @@ private:
     }
   }
 
-  /// How many prisms stand on each triangle of a wall, from the first triangle of a prism of layer 1 on.
-  void CountStacks()
-  {
-    // The cells on both sides of each wedge's two triangles.
-    std::map<int, Id>& heights = this->Report.stackHeights;
-    std::vector<Id> above(this->Mesh.types.size(), -1); // the wedge at the second triangle of a wedge
-    std::vector<char> isFoot(this->Mesh.types.size(), 0);
-    const auto isWedge = [&](const CellFace& face)
-    { return this->Mesh.types[Index(face.cell)] == CellType::Wedge && !face.IsQuad(); };
-    const auto local = [&](const CellFace& face) { return LocalFace(this->Mesh, face); };
-    for (std::size_t g = 0; g < this->Faces.GroupCount(); ++g)
-    {
-      const CellFace* face = this->Group(g);
-      const std::size_t size = this->GroupSize(g);
-      for (std::size_t i = 0; i < std::min<std::size_t>(size, 2); ++i)
-      {
-        const CellFace* other = size == 2 ? face + (1 - i) : nullptr;
-        if (!isWedge(face[i]))
-        {
-          continue;
-        }
-        const bool isSame =
-          other != nullptr && isWedge(*other) && this->MaterialOf(*other) == this->MaterialOf(face[i]);
-        if (local(face[i]) == 0)
-        {
-          isFoot[Index(face[i].cell)] = !isSame;
-        }
-        else if (isSame && local(*other) == 0)
-        {
-          above[Index(face[i].cell)] = other->cell;
-        }
-      }
-    }
-    for (Id c = 0; c < this->Mesh.CellCount(); ++c)
-    {
-      int height = 0;
-      for (Id at = isFoot[Index(c)] != 0 ? c : -1; at >= 0; at = above[Index(at)])
-      {
-        ++height;
-      }
-      if (height > 0)
-      {
-        ++heights[height];
-      }
-    }
-  }
-
   /// Quads of the boundary of which a half is a triangle of the boundary: they ought to be one face.
   void FindMismatches()
   {
@@ -299,42 +252,6 @@ private:
         this->MismatchPlaces.Add(CentreOf(this->Mesh, quad));
         this->Flag(g);
       }
-    }
-  }
-
-  void CountComponents()
-  {
-    std::vector<Id> parent(Index(this->Mesh.CellCount()));
-    std::iota(parent.begin(), parent.end(), Id{ 0 });
-    const auto root = [&](Id c)
-    {
-      while (parent[Index(c)] != c)
-      {
-        c = parent[Index(c)] = parent[Index(parent[Index(c)])];
-      }
-      return c;
-    };
-    for (std::size_t g = 0; g < this->Faces.GroupCount(); ++g)
-    {
-      const CellFace* face = this->Group(g);
-      for (std::size_t i = 1; i < this->GroupSize(g); ++i)
-      {
-        if (this->MaterialOf(face[0]) == this->MaterialOf(face[i]))
-        {
-          const Id a = root(face[0].cell);
-          const Id b = root(face[i].cell);
-          parent[Index(std::max(a, b))] = std::min(a, b);
-        }
-      }
-    }
-    std::map<int, Id> components;
-    for (Id c = 0; c < this->Mesh.CellCount(); ++c)
-    {
-      components[this->Mesh.materials[Index(c)]] += parent[Index(c)] == c;
-    }
-    for (MaterialAudit& material : this->Report.materials)
-    {
-      material.components = components[material.material];
     }
   }
 

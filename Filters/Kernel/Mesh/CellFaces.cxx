@@ -205,6 +205,19 @@ Id CellFaces::Find(const Triangle& corners) const
   return -1;
 }
 
+const std::vector<std::array<int, 2>>& EdgeNodes(CellType type)
+{
+  static const std::vector<std::array<int, 2>> tet{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } },
+                                                    { { 0, 3 } }, { { 1, 3 } }, { { 2, 3 } } };
+  static const std::vector<std::array<int, 2>> wedge{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 0 } },
+                                                      { { 3, 4 } }, { { 4, 5 } }, { { 5, 3 } },
+                                                      { { 0, 3 } }, { { 1, 4 } }, { { 2, 5 } } };
+  static const std::vector<std::array<int, 2>> pyramid{ { { 0, 1 } }, { { 1, 2 } }, { { 2, 3 } },
+                                                        { { 3, 0 } }, { { 0, 4 } }, { { 1, 4 } },
+                                                        { { 2, 4 } }, { { 3, 4 } } };
+  return type == CellType::Tetrahedron ? tet : (type == CellType::Wedge ? wedge : pyramid);
+}
+
 bool AreOpposite(const CellFace& a, const CellFace& b)
 {
   const std::size_t n = a.IsQuad() ? 4 : 3;

@@ -42,6 +42,10 @@ CellFace FaceOf(const VolumeMesh& mesh, Id cell, int local);
 /// The number of `face` among the faces of its cell.
 int LocalFace(const VolumeMesh& mesh, const CellFace& face);
 
+/// The edges of a cell of this type, as pairs of local nodes: around the base, around the roof, then upwards.
+/// It is the order of middle nodes in VTK, Abaqus, FEBio and others. 6, 9 or 8.
+const std::vector<std::array<int, 2>>& EdgeNodes(CellType type);
+
 /// True if the faces, of the same corners, are one polygon seen from its two sides.
 bool AreOpposite(const CellFace& a, const CellFace& b);
 

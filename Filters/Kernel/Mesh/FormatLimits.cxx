@@ -51,6 +51,23 @@ std::string Shortened(const std::string& clean, const std::string& name, std::si
 
 } // namespace
 
+FormatLimits LimitsOf(const std::string& format, Id largestId, std::size_t nameLength)
+{
+  FormatLimits limits;
+  limits.format = format;
+  limits.largestId = largestId;
+  limits.nameLength = nameLength;
+  return limits;
+}
+
+FormatLimits TetrahedraOnly(const std::string& format, Id largestId, std::size_t nameLength)
+{
+  FormatLimits limits = LimitsOf(format, largestId, nameLength);
+  limits.holdsWedges = false;
+  limits.holdsPyramids = false;
+  return limits;
+}
+
 Result<bool> CheckCount(const FormatLimits& limits, Id count, const char* what)
 {
   if (limits.largestId > 0 && count > limits.largestId)

@@ -21,6 +21,14 @@ struct FormatLimits
   bool ignoresCase = false;   ///< names that differ in case only are the same
 };
 
+/// The largest number of formats with integers of 32 bits.
+constexpr Id LargestInt = 2147483647;
+
+/// Limits of a format that takes all linear cells.
+FormatLimits LimitsOf(const std::string& format, Id largestId, std::size_t nameLength);
+/// Limits of a format of linear tetrahedra.
+FormatLimits TetrahedraOnly(const std::string& format, Id largestId, std::size_t nameLength);
+
 /// A failure if the format cannot hold so many nodes, cells, faces.
 Result<bool> CheckCount(const FormatLimits& limits, Id count, const char* what);
 /// A failure that says what to do if the format cannot hold the model's cells or ids.

@@ -42,7 +42,10 @@ struct GridGeometry
   double VoxelVolume() const { return this->spacing.x * this->spacing.y * this->spacing.z; }
 };
 
-/// Material ids, 0 (background) to 65,535, one a voxel.
+/// Material ids run from 0 (background) to this one.
+constexpr int LargestMaterial = 65535;
+
+/// Material ids, one a voxel.
 struct LabelImage
 {
   GridGeometry grid;

@@ -30,6 +30,10 @@ public:
   std::vector<Id> Changed() const;
 
 private:
+  /// Larger groups (noise) are mended part by part, so that time and memory stay in proportion.
+  static constexpr std::size_t MostInPart = 8192;
+  static constexpr Id StepsInNoise = 40;
+
   /// How much a change may break.
   struct Care
   {

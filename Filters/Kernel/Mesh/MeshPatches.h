@@ -66,11 +66,16 @@ struct FindPatchesReport
 
 /// Find and name all patches of a mesh. With `surface` (may be null), whose patches tell openings and plane
 /// ends; without it all outer faces are walls. Names are interface_A_B_n, wall_A_n, border_A_n and
-/// opening_A_n of materials A < B, with n from 1 in an order of size and place (PieceOrder.h). `known` are
-/// the mesh's faces, where somebody has found them already.
+/// opening_A_n of materials A < B, with n from 1 in an order of size and place (PieceOrder.h); plane patches
+/// to which the surface gives a name (opening_aorta, not opening_1) keep it. `known` are the mesh's faces,
+/// where somebody has found them already.
 Result<FindPatchesReport> FindPatches(const VolumeMesh& mesh, const TriangleComplex* surface,
                                       const FindPatchesOptions& options, MeshPatches& patches,
                                       Monitor& monitor, const CellFaces* known = nullptr);
+
+/// Count a face, its fourth corner -1 for a triangle, towards its patch: faces, area, and the centre times
+/// the area.
+void AddToPatch(const VolumeMesh& mesh, const std::array<Id, 4>& corners, MeshPatch& patch);
 
 /// The name of a material: its own, else "material_<id>".
 std::string MaterialName(const std::map<int, std::string>& names, int material);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaskPropagation.h"
 
+#include "../Base/Text.h"
 #include "MaskCarrying.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ Result<Done> CheckOptions(const MaskPropagationOptions& options)
   {
     return InvalidOption("method " + std::to_string(options.method) + ": 0 to 3 is needed");
   }
-  if (options.maskValue < 0 || options.maskValue > 65535)
+  if (options.maskValue < 0 || options.maskValue > LargestMaterial)
   {
     return InvalidOption("mask value " + std::to_string(options.maskValue) + ": 0 to 65535 is needed");
   }
@@ -58,16 +59,14 @@ Result<Done> CheckOptions(const MaskPropagationOptions& options)
 
 Result<Done> CheckImages(const GreyImage& grey, const LabelImage& mask)
 {
-  const auto text = [](const std::array<Id, 3>& n)
-  { return std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]); };
   if (grey.grid.size != mask.grid.size)
   {
-    return InvalidInput("the mask has " + text(mask.grid.size) + " voxels, the image " +
-                        text(grey.grid.size) + ": they must agree");
+    return InvalidInput("the mask has " + SizeText(mask.grid.size) + " voxels, the image " +
+                        SizeText(grey.grid.size) + ": they must agree");
   }
   if (*std::min_element(grey.grid.size.begin(), grey.grid.size.end()) < 2)
   {
-    return InvalidInput("the image has " + text(grey.grid.size) + " voxels: a 3-D image is needed");
+    return InvalidInput("the image has " + SizeText(grey.grid.size) + " voxels: a 3-D image is needed");
   }
   return Done{};
 }

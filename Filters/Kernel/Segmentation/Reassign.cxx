@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reassign.h"
 
+#include "../Base/Text.h"
 #include "../Mesh/WellComposed.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace lamina
@@ -18,15 +18,6 @@ namespace
 
 /// Of the least voxel edge: a box that ends on voxel centres shall hold them whatever the rounding.
 constexpr double Slack = 1e-6;
-
-template<typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  stream.precision(10);
-  (stream << ... << parts);
-  return stream.str();
-}
 
 std::array<Id, 3> VoxelAt(const GridGeometry& grid, Id index)
 {

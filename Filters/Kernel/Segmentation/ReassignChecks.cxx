@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reassign.h"
 
+#include "../Base/Text.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace lamina
 {
 
 namespace
 {
-
-constexpr int LargestMaterial = 65535;
-
-template<typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  stream.precision(10);
-  (stream << ... << parts);
-  return stream.str();
-}
-
-std::string SizeText(const std::array<Id, 3>& size)
-{
-  return Text(size[0], " x ", size[1], " x ", size[2]);
-}
 
 bool IsMaterial(int id)
 {

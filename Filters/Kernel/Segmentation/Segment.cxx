@@ -236,7 +236,14 @@ Result<SegmentReport> Segment(const GreyView& grey, LabelImage& labels, std::vec
   labels.grid = grey.grid;
   labels.labels.assign(grey.Count(), 0);
   flags.assign(grey.Count(), 0);
-  Work work{ std::move(smooth), options, labels, labels.labels, flags, report, {}, {} };
+  SegmentOptions inside = options;
+  RegionMask trimmed;
+  if (options.mask && options.openAtMaskBorder)
+  {
+    trimmed = segment::TrimMask(*options.mask, monitor);
+    inside.mask = &trimmed;
+  }
+  Work work{ std::move(smooth), inside, labels, labels.labels, flags, report, {}, {} };
   DecideVoxels(work, monitor);
   if (!monitor.Cancelled())
   {

@@ -2,11 +2,12 @@
 // What cannot be segmented, found before any work.
 #include "SegmentRules.h"
 
+#include "../Base/Text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <sstream>
 
 namespace lamina
 {
@@ -15,22 +16,6 @@ namespace segment
 
 namespace
 {
-
-constexpr int LargestMaterial = 65535;
-
-template<typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  stream.precision(10);
-  (stream << ... << parts);
-  return stream.str();
-}
-
-std::string SizeText(const std::array<Id, 3>& size)
-{
-  return Text(size[0], " x ", size[1], " x ", size[2]);
-}
 
 /// Least and greatest finite value into the report; least > greatest if there is none.
 void FindRange(const GreyView& grey, SegmentReport& report, Monitor& monitor)

@@ -68,6 +68,21 @@ private:
 
 } // namespace
 
+RegionMask TrimMask(const RegionMask& mask, Monitor& monitor)
+{
+  LabelImage region{ mask.grid, std::vector<int>(mask.inside.size()) };
+  std::vector<unsigned char> outside(mask.inside.size());
+  for (std::size_t v = 0; v < outside.size(); ++v)
+  {
+    region.labels[v] = mask.inside[v] != 0 ? 1 : 0;
+    outside[v] = mask.inside[v] == 0;
+  }
+  RepairOptions options;
+  options.frozen = &outside;
+  RepairTopology(region, options, monitor);
+  return { mask.grid, { region.labels.begin(), region.labels.end() } };
+}
+
 Id Repair(Work& work, Monitor& monitor)
 {
   if (work.options.repair != TopologyRepair::Repair)

@@ -109,6 +109,10 @@ IslandLimits MakeIslandLimits(const Work& work);
 /// Give small components to the neighbours with most faces in common. Returns the voxels changed.
 Id RemoveIslands(Work& work, const IslandLimits& limits, Monitor& monitor);
 
+/// The mask without voxels across which it, or what is outside it, touches itself over an edge or a corner
+/// only. Where blood is open to the outside, a repair at such a place could only make background, which blood
+/// may not touch.
+RegionMask TrimMask(const RegionMask& mask, Monitor& monitor);
 /// Repair the topology. Returns the voxels changed.
 Id Repair(Work& work, Monitor& monitor);
 /// Flag the voxels that stand in a fault.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExtractInterfaces.h"
 
+#include "../Base/Text.h"
 #include "../Mesh/JunctionGraph.h"
 #include "../Mesh/WellComposed.h"
 #include "ClusterPoints.h"
@@ -147,8 +148,7 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
   const auto& size = image.grid.size;
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
   {
-    return InvalidInput("the label image is not three-dimensional (" + std::to_string(size[0]) + " x " +
-                        std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+    return InvalidInput("the label image is not three-dimensional (" + SizeText(size) +
                         " voxels): give an image with at least 2 voxels along each axis");
   }
   if (static_cast<Id>(image.labels.size()) != image.grid.Count())
@@ -157,7 +157,7 @@ Result<ExtractInterfacesReport> CheckImage(const LabelImage& image, const Extrac
                         std::to_string(image.grid.Count()) + " voxels");
   }
   const auto range = std::minmax_element(image.labels.begin(), image.labels.end());
-  if (*range.first < 0 || *range.second > 65535)
+  if (*range.first < 0 || *range.second > LargestMaterial)
   {
     return InvalidInput("material ids must lie between 0 and 65535, but the image holds " +
                         std::to_string(*range.first) + " to " + std::to_string(*range.second));

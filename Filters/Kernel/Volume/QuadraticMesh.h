@@ -33,9 +33,6 @@ struct QuadraticNodes
   std::vector<std::array<Id, 2>> ends; ///< of the edge of each added node
 };
 
-/// The edges of a cell of this type, as pairs of local nodes in VTK's order: 6, 9 or 8.
-const std::vector<std::array<int, 2>>& EdgeNodes(CellType type);
-
 /// Give every edge a node in its middle. With `surface` (may be null) the nodes of edges on one interface or
 /// wall patch (not on its rim, not of a pyramid) go to the closest point of the surface. Cells of which a
 /// Bernstein coefficient of the Jacobian is not positive get their edges straightened, until none is left:
