@@ -17,7 +17,7 @@ simple.LoadPlugin(os.environ["LAMINA_PLUGIN"], remote=False)
 EXPECTED = {
     "MultimaterialMarchingCubes", "VolumeConservingSmoothing", "FeatureSize", "SurfaceRefinement", "LayeredTetrahedra",
     "PrismLayer", "CoreTetrahedra", "FluidSolidMesh", "MeshAudit", "PropagateMask",
-    "PrismstoTetrahedra", "QuadraticCells", "RuleBasedFibers", "AbaqusWriter", "GmshWriter", "SU2Writer", "NastranWriter", "LSDynaWriter",
+    "PrismstoTetrahedra", "QuadraticCells", "RuleBasedFibers", "WallDepth", "AbaqusWriter", "GmshWriter", "SU2Writer", "NastranWriter", "LSDynaWriter",
     "FEBioWriter", "CARPWriter", "OpenFOAMWriter", "SimVascularWriter", "FluidSolidExodusWriter",
 }
 
