@@ -207,6 +207,10 @@ void Solid::Improve(std::size_t firstCell, Monitor& monitor)
     set.tets.push_back(tet);
   }
   ImproveTets(set, ImproveTetsOptions{}, monitor);
+  for (std::size_t p = global.size(); p < set.points.size(); ++p)
+  {
+    global.push_back(this->Layers.AddPoint(set.points[p], -1));
+  }
   const int material = this->Mesh.materials[firstCell];
   this->Mesh.types.resize(firstCell);
   this->Mesh.offsets.resize(firstCell + 1);

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points put in and taken out; reconnections are in TetCavity.cxx, moves in TetCavityPoints.cxx.
+#include "TetCavity.h"
+
+#include "../Geometry/Predicates.h"
+#include "../Mesh/TetFaces.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lamina
+{
+namespace
+{
+
+/// Most tets of a cavity: larger ones are seldom bettered.
+constexpr std::size_t LargestCavity = 40;
+/// A change of the points must pay.
+constexpr double LeastGain = 1e-2;
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+bool Has(const TetCavity::Tet& tet, Id point)
+{
+  return std::find(tet.begin(), tet.end(), point) != tet.end();
+}
+
+} // namespace
+
+struct TetCavity::Shell
+{
+  std::vector<Id> tets;
+  std::vector<Triangle> faces;
+  std::vector<Id> inside; ///< one a face: its tet
+
+  void Add(Id tet, const Tet& corners)
+  {
+    this->tets.push_back(tet);
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Triangle face = TetFace(corners, k);
+      const auto same = [&](const Triangle& other)
+      { return std::is_permutation(face.begin(), face.end(), other.begin()); };
+      const auto found = std::find_if(this->faces.begin(), this->faces.end(), same);
+      if (found == this->faces.end())
+      {
+        this->faces.push_back(face);
+        this->inside.push_back(tet);
+      }
+      else
+      {
+        this->inside.erase(this->inside.begin() + (found - this->faces.begin()));
+        this->faces.erase(found);
+      }
+    }
+  }
+};
+
+/// The tet on the other side of a face, of the same group; -1 if there is none or it is not known.
+Id TetCavity::Across(const Triangle& face, Id tet) const
+{
+  for (Id p : face)
+  {
+    if (!this->IsKnown(p))
+    {
+      continue;
+    }
+    for (Id t : this->TetsOf(p))
+    {
+      const Tet& other = this->Set.tets[Index(t)];
+      if (t != tet && Has(other, face[0]) && Has(other, face[1]) && Has(other, face[2]))
+      {
+        return this->Set.groups[Index(t)] == this->Set.groups[Index(tet)] ? t : -1;
+      }
+    }
+    return -1;
+  }
+  return -1;
+}
+
+/// Grows a cavity from the tet until every face sees the place well, or nothing more can be taken in.
+bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& shell) const
+{
+  const auto& p = this->Set.points;
+  const auto cone = [&](const Triangle& f)
+  { return ShapeOfTet(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], place); };
+  shell.Add(tet, this->Set.tets[Index(tet)]);
+  const double own = this->Quality(this->Set.tets[Index(tet)]);
+  while (shell.tets.size() < LargestCavity)
+  {
+    std::size_t worst = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < shell.faces.size(); ++f)
+    {
+      const double quality = cone(shell.faces[f]);
+      if (quality < least)
+      {
+        least = quality;
+        worst = f;
+      }
+    }
+    const Id next = least > 0.3 ? -1 : this->Across(shell.faces[worst], shell.inside[worst]);
+    if (next < 0)
+    {
+      // Every point must stay on the shell, or it would be lost.
+      for (Id t : shell.tets)
+      {
+        for (Id q : this->Set.tets[Index(t)])
+        {
+          if (std::none_of(shell.faces.begin(), shell.faces.end(),
+                           [&](const Triangle& f) { return f[0] == q || f[1] == q || f[2] == q; }))
+          {
+            return false;
+          }
+        }
+      }
+      return least > own + LeastGain;
+    }
+    shell.Add(next, this->Set.tets[Index(next)]);
+  }
+  return false;
+}
+
+TetCavity::Done TetCavity::Insert(Id tet)
+{
+  const Tet own = this->Set.tets[Index(tet)];
+  const auto& p = this->Set.points;
+  std::vector<Vec3> places{ (p[Index(own[0])] + p[Index(own[1])] + p[Index(own[2])] + p[Index(own[3])]) *
+                            0.25 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      places.push_back(0.5 * (p[Index(own[i])] + p[Index(own[j])]));
+    }
+  }
+  Change best;
+  double gained = LeastGain;
+  const Id added = static_cast<Id>(p.size());
+  for (const Vec3& start : places)
+  {
+    Shell shell;
+    // Grown for the starting place, a little inside the tet: on its edge some faces would be flat.
+    const Vec3 inner = 0.8 * start + 0.2 * places[0];
+    if (!this->FindCavity(tet, inner, shell))
+    {
+      continue;
+    }
+    const auto leastAt = [&](const Vec3& place)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Triangle& f : shell.faces)
+      {
+        least = std::min(least, ShapeOfTet(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], place));
+      }
+      return least;
+    };
+    Change change;
+    change.kind = Done::PointAdded;
+    change.place = SearchBest(inner, 0.3 * Norm(p[Index(own[0])] - p[Index(own[1])]), leastAt);
+    change.quality = leastAt(change.place);
+    const double gain = change.quality - this->LeastOf(shell.tets);
+    const auto isSeen = [&](const Triangle& f)
+    { return Orientation(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], change.place) > 0; };
+    if (gain > gained && std::all_of(shell.faces.begin(), shell.faces.end(), isSeen))
+    {
+      gained = gain;
+      for (const Triangle& f : shell.faces)
+      {
+        change.in.push_back({ { f[0], f[2], f[1], added } });
+      }
+      change.out = shell.tets;
+      best = std::move(change);
+    }
+  }
+  if (best.kind != Done::Nothing)
+  {
+    this->Apply(best);
+  }
+  return best.kind;
+}
+
+/// Points of layers may only be drawn into others of their own layer.
+bool TetCavity::MayRemove(Id point, Id into) const
+{
+  if (this->Set.fixed[Index(point)] != 0 || !this->IsKnown(point))
+  {
+    return false;
+  }
+  const int layer = this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[Index(point)];
+  return layer < 0 || layer == this->Set.layerIndex[Index(into)];
+}
+
+TetCavity::Done TetCavity::Collapse(Id tet)
+{
+  const Tet own = this->Set.tets[Index(tet)];
+  Change best;
+  double gained = LeastGain;
+  for (Id from : own)
+  {
+    for (Id into : own)
+    {
+      if (from == into || !this->MayRemove(from, into) || !this->IsInterior(from))
+      {
+        continue;
+      }
+      Change change;
+      change.kind = Done::PointRemoved;
+      change.out = this->TetsOf(from);
+      const double before = this->LeastOf(change.out);
+      change.quality = std::numeric_limits<double>::infinity();
+      for (Id t : change.out)
+      {
+        Tet moved = this->Set.tets[Index(t)];
+        if (Has(moved, into))
+        {
+          continue;
+        }
+        std::replace(moved.begin(), moved.end(), from, into);
+        const bool isAllowed =
+          std::all_of(moved.begin(), moved.end(), [&](Id p) { return this->Allows(p, into); });
+        change.quality = isAllowed ? std::min(change.quality, this->Quality(moved)) : -1;
+        change.in.push_back(moved);
+        if (change.quality <= before + gained)
+        {
+          break;
+        }
+      }
+      if (change.quality - before > gained && this->IsSound(change.in))
+      {
+        gained = change.quality - before;
+        best = std::move(change);
+      }
+    }
+  }
+  if (best.kind != Done::Nothing)
+  {
+    this->Apply(best);
+  }
+  return best.kind;
+}
+
+} // namespace lamina
