@@ -16,6 +16,7 @@ using Tet = std::array<Id, 4>;
 
 constexpr Id Grain = 16384;
 constexpr std::size_t CancelEvery = 256;
+constexpr double LittleGain = 0.02;
 
 std::size_t Index(Id id)
 {
@@ -86,15 +87,17 @@ void Note(TetCavity::Done done, ImproveTetsReport& report)
   report.pointsAdded += done == TetCavity::Done::PointAdded;
 }
 
-/// The first operation that betters the tet, the cheapest first.
-void Better(TetCavity& cavity, Id tet, bool withPoints, ImproveTetsReport& report)
+/// The first operation that betters the tet, the cheapest first. Points are put in or taken out where moves
+/// gain little.
+void Better(TetCavity& cavity, const TetSet& set, Id tet, double pointsBelow, ImproveTetsReport& report)
 {
+  const auto quality = [&]() { return cavity.Quality(set.tets[Index(tet)]); };
+  const double before = quality();
   auto done = cavity.Reconnect(tet);
   if (done == TetCavity::Done::Nothing)
   {
-    const Id moved = cavity.MovePoints(tet);
-    report.pointsMoved += moved;
-    if (moved == 0 && withPoints)
+    report.pointsMoved += cavity.MovePoints(tet);
+    if (quality() < std::min(pointsBelow, before + LittleGain))
     {
       done = cavity.Collapse(tet);
       done = done == TetCavity::Done::Nothing ? cavity.Insert(tet) : done;
@@ -120,7 +123,7 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>&
     const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
     if (quality < options.target)
     {
-      Better(cavity, bad[i], quality < options.pointsBelow, report);
+      Better(cavity, set, bad[i], options.pointsBelow, report);
     }
   }
   Compact(set);

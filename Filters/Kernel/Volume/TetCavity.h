@@ -60,6 +60,8 @@ private:
   /// The faces of a set of tets towards the rest, counter-clockwise seen from outside.
   struct Shell;
   bool FindCavity(Id tet, const Vec3& place, Shell& shell) const;
+  bool KeepsPoints(const Shell& shell) const;
+  std::vector<Vec3> PlacesIn(Id tet) const;
   Id Across(const Triangle& face, Id tet) const;
   bool MayRemove(Id point, Id into) const;
   void RemoveEdge(Id tet, Id a, Id b, Change& best) const;

@@ -15,6 +15,8 @@ namespace
 
 /// Most tets of a cavity: larger ones are seldom bettered.
 constexpr std::size_t LargestCavity = 40;
+/// A face with a cone of this quality over it needs no larger cavity.
+constexpr double WellSeen = 0.3;
 /// A change of the points must pay.
 constexpr double LeastGain = 1e-2;
 
@@ -81,71 +83,105 @@ Id TetCavity::Across(const Triangle& face, Id tet) const
   return -1;
 }
 
-/// Grows a cavity from the tet until every face sees the place well, or nothing more can be taken in.
-bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& shell) const
+/// Grows a cavity from the tet, across the face that sees the place worst, and keeps it at the size at which
+/// all faces see it best. False if that is no better than the tet.
+bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& best) const
 {
   const auto& p = this->Set.points;
-  const auto cone = [&](const Triangle& f)
-  { return ShapeOfTet(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], place); };
+  Shell shell;
   shell.Add(tet, this->Set.tets[Index(tet)]);
-  const double own = this->Quality(this->Set.tets[Index(tet)]);
+  double highest = this->Quality(this->Set.tets[Index(tet)]) + LeastGain;
+  std::vector<Triangle> ends; // faces that nothing is known behind
+  bool isFound = false;
   while (shell.tets.size() < LargestCavity)
   {
-    std::size_t worst = 0;
+    std::size_t worst = shell.faces.size();
+    double leastOfOpen = WellSeen;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < shell.faces.size(); ++f)
     {
-      const double quality = cone(shell.faces[f]);
-      if (quality < least)
+      const Triangle& c = shell.faces[f];
+      const double quality = ShapeOfTet(p[Index(c[0])], p[Index(c[2])], p[Index(c[1])], place);
+      least = std::min(least, quality);
+      if (quality < leastOfOpen && std::find(ends.begin(), ends.end(), c) == ends.end())
       {
-        least = quality;
+        leastOfOpen = quality;
         worst = f;
       }
     }
-    const Id next = least > 0.3 ? -1 : this->Across(shell.faces[worst], shell.inside[worst]);
+    if (least > highest && this->KeepsPoints(shell))
+    {
+      highest = least;
+      best = shell;
+      isFound = true;
+    }
+    if (worst == shell.faces.size())
+    {
+      break;
+    }
+    const Id next = this->Across(shell.faces[worst], shell.inside[worst]);
     if (next < 0)
     {
-      // Every point must stay on the shell, or it would be lost.
-      for (Id t : shell.tets)
-      {
-        for (Id q : this->Set.tets[Index(t)])
-        {
-          if (std::none_of(shell.faces.begin(), shell.faces.end(),
-                           [&](const Triangle& f) { return f[0] == q || f[1] == q || f[2] == q; }))
-          {
-            return false;
-          }
-        }
-      }
-      return least > own + LeastGain;
+      ends.push_back(shell.faces[worst]);
+      continue;
     }
     shell.Add(next, this->Set.tets[Index(next)]);
   }
-  return false;
+  return isFound;
+}
+
+/// Every point of the tets must stay on the shell, or it would be lost.
+bool TetCavity::KeepsPoints(const Shell& shell) const
+{
+  const auto isOnShell = [&](Id p)
+  {
+    return std::any_of(shell.faces.begin(), shell.faces.end(),
+                       [&](const Triangle& f) { return f[0] == p || f[1] == p || f[2] == p; });
+  };
+  return std::all_of(shell.tets.begin(), shell.tets.end(),
+                     [&](Id t)
+                     {
+                       const Tet& tet = this->Set.tets[Index(t)];
+                       return std::all_of(tet.begin(), tet.end(), isOnShell);
+                     });
+}
+
+/// Places to try: the tet's middle, those of its edges and of its neighbours.
+std::vector<Vec3> TetCavity::PlacesIn(Id tet) const
+{
+  const auto& p = this->Set.points;
+  const auto middleOf = [&](const Tet& c)
+  { return (p[Index(c[0])] + p[Index(c[1])] + p[Index(c[2])] + p[Index(c[3])]) * 0.25; };
+  const Tet& own = this->Set.tets[Index(tet)];
+  const Vec3 middle = middleOf(own);
+  std::vector<Vec3> places{ middle };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      // A little inside the tet: on its edge some faces would be flat.
+      places.push_back(0.4 * (p[Index(own[i])] + p[Index(own[j])]) + 0.2 * middle);
+    }
+    const Id other = this->Across(TetFace(own, i), tet);
+    if (other >= 0)
+    {
+      places.push_back(middleOf(this->Set.tets[Index(other)]));
+    }
+  }
+  return places;
 }
 
 TetCavity::Done TetCavity::Insert(Id tet)
 {
   const Tet own = this->Set.tets[Index(tet)];
   const auto& p = this->Set.points;
-  std::vector<Vec3> places{ (p[Index(own[0])] + p[Index(own[1])] + p[Index(own[2])] + p[Index(own[3])]) *
-                            0.25 };
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    for (std::size_t j = i + 1; j < 4; ++j)
-    {
-      places.push_back(0.5 * (p[Index(own[i])] + p[Index(own[j])]));
-    }
-  }
   Change best;
   double gained = LeastGain;
   const Id added = static_cast<Id>(p.size());
-  for (const Vec3& start : places)
+  for (const Vec3& start : this->PlacesIn(tet))
   {
     Shell shell;
-    // Grown for the starting place, a little inside the tet: on its edge some faces would be flat.
-    const Vec3 inner = 0.8 * start + 0.2 * places[0];
-    if (!this->FindCavity(tet, inner, shell))
+    if (!this->FindCavity(tet, start, shell))
     {
       continue;
     }
@@ -160,7 +196,7 @@ TetCavity::Done TetCavity::Insert(Id tet)
     };
     Change change;
     change.kind = Done::PointAdded;
-    change.place = SearchBest(inner, 0.3 * Norm(p[Index(own[0])] - p[Index(own[1])]), leastAt);
+    change.place = SearchBest(start, 0.3 * Norm(p[Index(own[0])] - p[Index(own[1])]), leastAt);
     change.quality = leastAt(change.place);
     const double gain = change.quality - this->LeastOf(shell.tets);
     const auto isSeen = [&](const Triangle& f)
