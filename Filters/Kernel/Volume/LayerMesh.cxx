@@ -134,6 +134,8 @@ TriangleComplex FrontOf(const Wall& wall, const Columns& columns)
   for (std::size_t v = 0; v < wall.points.size(); ++v)
   {
     front.points.push_back(columns.Place(wall, static_cast<Id>(v), columns.layers));
+    const double last = columns.layers > 0 ? 1 - columns.fraction[U(columns.layers - 1)] : 0;
+    front.layerHeight.push_back(last * columns.height[v]);
   }
   for (const Triangle& t : wall.triangles)
   {

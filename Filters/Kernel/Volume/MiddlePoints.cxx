@@ -2,9 +2,9 @@
 #include "MiddlePoints.h"
 
 #include "../Search/TriangleTree.h"
+#include "GradedPoints.h"
 
-#include <cmath>
-#include <map>
+#include <algorithm>
 
 namespace lamina
 {
@@ -51,47 +51,19 @@ std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const T
                   }
                 }
               });
-  // Greedy thinning on a grid, in the order of ids. A radius is a layer's thickness: along the wall points
+  // A radius is a layer's thickness: along the wall points
   // may stand about half as close as the wall's own.
   const double spacing = std::min(1.0, 0.45 * anisotropy);
-  double cell = 0;
-  for (double r : radius)
-  {
-    cell = std::max(cell, r);
-  }
-  std::vector<Vec3> kept;
-  std::vector<double> keptRadius;
-  std::map<std::array<long long, 3>, std::vector<std::size_t>> grid;
+  // Not where a third part of the front comes nearer than the two it was put between.
   for (std::size_t v = 0; v < count; ++v)
   {
-    if (radius[v] == 0)
-    {
-      continue;
-    }
-    std::array<long long, 3> at;
-    for (int c = 0; c < 3; ++c)
-    {
-      at[static_cast<std::size_t>(c)] = static_cast<long long>(std::floor(middle[v][c] / cell));
-    }
-    bool free = true;
-    for (int q = 0; q < 27 && free; ++q)
-    {
-      const auto found = grid.find({ at[0] + q % 3 - 1, at[1] + q / 3 % 3 - 1, at[2] + q / 9 - 1 });
-      if (found != grid.end())
-      {
-        for (std::size_t other : found->second)
-        {
-          free = free && Norm(kept[other] - middle[v]) > spacing * std::min(radius[v], keptRadius[other]);
-        }
-      }
-    }
-    // Not where a third part of the front comes nearer than the two it was put between.
-    if (free && tree.ClosestPoint(middle[v], 0.64 * radius[v] * radius[v]).triangle < 0)
-    {
-      grid[at].push_back(kept.size());
-      kept.push_back(middle[v]);
-      keptRadius.push_back(radius[v]);
-    }
+    const double limit = 0.8 * radius[v];
+    radius[v] = tree.ClosestPoint(middle[v], limit * limit).triangle < 0 ? radius[v] : 0;
+  }
+  std::vector<Vec3> kept;
+  for (std::size_t v : ThinOut(middle, radius, spacing))
+  {
+    kept.push_back(middle[v]);
   }
   return kept;
 }
