@@ -99,7 +99,7 @@ ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int col
 {
   std::vector<Id> global;
   TetSet set = Gather(mesh, firstCell, global);
-  const ImproveTetsReport report = ImproveTets(set, ImproveTetsOptions{}, monitor);
+  ImproveTetsReport report = ImproveTets(set, ImproveTetsOptions{}, monitor);
   for (std::size_t p = 0; p < set.points.size(); ++p)
   {
     if (p < global.size())
@@ -111,6 +111,10 @@ ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int col
     mesh.points.push_back(set.points[p]);
     mesh.layerIndex.push_back(-1);
     mesh.interfaceNodeIds.push_back(-1);
+  }
+  for (Id& p : report.takenFromLayers)
+  {
+    p = global[U(p)];
   }
   DropUnused(set, mesh, global);
   const int material = firstCell < mesh.materials.size() ? mesh.materials[firstCell] : 0;

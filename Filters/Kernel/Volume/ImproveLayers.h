@@ -11,7 +11,8 @@ namespace lamina
 
 /// Better tets among the cells from firstCell on, across the seam of layers and core; the wall stays, and no
 /// edge may skip a layer. All points after the solid's wall must be the solid's own: those that are taken out
-/// leave the mesh. `columnLayers` layers stand on the walls; the rest is core.
+/// leave the mesh. `columnLayers` layers stand on the walls; the rest is core. The report's ids are those of
+/// the mesh before points left it.
 ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int columnLayers, Monitor& monitor);
 
 } // namespace lamina

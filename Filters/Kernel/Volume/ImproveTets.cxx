@@ -87,9 +87,16 @@ void Note(TetCavity::Done done, ImproveTetsReport& report)
   report.pointsAdded += done == TetCavity::Done::PointAdded;
 }
 
+/// Qualities below which points are put in or taken out, and points of layers taken out.
+struct Limits
+{
+  double points = 0;
+  double layers = 0;
+};
+
 /// The first operation that betters the tet, the cheapest first. Points are put in or taken out where moves
 /// gain little.
-void Better(TetCavity& cavity, const TetSet& set, Id tet, double pointsBelow, ImproveTetsReport& report)
+void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, ImproveTetsReport& report)
 {
   const auto quality = [&]() { return cavity.Quality(set.tets[Index(tet)]); };
   const double before = quality();
@@ -97,9 +104,9 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, double pointsBelow, Im
   if (done == TetCavity::Done::Nothing)
   {
     report.pointsMoved += cavity.MovePoints(tet);
-    if (quality() < std::min(pointsBelow, before + LittleGain))
+    if (quality() < std::min(limits.points, before + LittleGain))
     {
-      done = cavity.Collapse(tet);
+      done = cavity.Collapse(tet, quality() < limits.layers, report.takenFromLayers);
       done = done == TetCavity::Done::Nothing ? cavity.Insert(tet) : done;
     }
   }
@@ -107,7 +114,7 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, double pointsBelow, Im
 }
 
 /// One pass over the bad tets; false if nothing could be done.
-bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>& bad,
+bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, const std::vector<Id>& bad,
           ImproveTetsReport& report, Monitor& monitor)
 {
   TetCavity cavity(set, bad);
@@ -123,7 +130,7 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>&
     const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
     if (quality < options.target)
     {
-      Better(cavity, set, bad[i], options.pointsBelow, report);
+      Better(cavity, set, bad[i], limits, report);
     }
   }
   Compact(set);
@@ -141,12 +148,15 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
   for (int round = 0; round < options.rounds && !bad.empty() && !monitor.Cancelled(); ++round)
   {
     monitor.Progress(round / static_cast<double>(options.rounds), "Improving the worst tetrahedra");
-    const bool hasMoved = Pass(set, options, bad, report, monitor);
+    const bool isLate = round >= options.rounds * 2 / 3;
+    const Limits limits{ options.pointsBelow, isLate ? options.layersBelow : 0 };
+    const bool hasMoved = Pass(set, options, limits, bad, report, monitor);
     bad = FindBad(set, options.target, monitor);
-    if (!hasMoved)
+    if (!hasMoved && isLate)
     {
       break;
     }
+    round = hasMoved || isLate ? round : options.rounds * 2 / 3 - 1;
   }
   report.left = static_cast<Id>(bad.size());
   for (const Tet& c : set.tets)

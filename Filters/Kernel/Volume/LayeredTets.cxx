@@ -133,7 +133,8 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
     return error;
   }
   SubMonitor improving(monitor, 0.9, 1);
-  ImproveLayers(this->Mesh, firstCell, columnLayers, improving);
+  const ImproveTetsReport improved = ImproveLayers(this->Mesh, firstCell, columnLayers, improving);
+  this->Layers.MarkLost(wall, *columns, improved.takenFromLayers, onSurface, report);
   return monitor.Cancelled() ? std::optional<Error>(Cancelled()) : std::nullopt;
 }
 

@@ -43,8 +43,9 @@ public:
   /// Moves the tet's free points uphill; the number that moved.
   Id MovePoints(Id tet);
   /// Draws one of the tet's free points into another of its points, or puts a point into a cavity round it,
-  /// if that raises the least quality.
-  Done Collapse(Id tet);
+  /// if that raises the least quality. Points of layers are drawn into points of their own layer only, unless
+  /// `acrossLayers`; `taken` gets them then.
+  Done Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken);
   Done Insert(Id tet);
 
 private:
@@ -63,7 +64,11 @@ private:
   bool KeepsPoints(const Shell& shell) const;
   std::vector<Vec3> PlacesIn(Id tet) const;
   Id Across(const Triangle& face, Id tet) const;
-  bool MayRemove(Id point, Id into) const;
+  bool MayRemove(Id point, Id into, bool acrossLayers) const;
+  int LayerOf(Id point) const
+  {
+    return this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[static_cast<std::size_t>(point)];
+  }
   void RemoveEdge(Id tet, Id a, Id b, Change& best) const;
   void FlipFace(Id tet, std::size_t opposite, Change& best) const;
   /// The best tets instead of a ring of them round edge (a, b), and their least quality; none if not above

@@ -219,27 +219,24 @@ TetCavity::Done TetCavity::Insert(Id tet)
   return best.kind;
 }
 
-/// Points of layers may only be drawn into others of their own layer.
-bool TetCavity::MayRemove(Id point, Id into) const
+bool TetCavity::MayRemove(Id point, Id into, bool acrossLayers) const
 {
-  if (this->Set.fixed[Index(point)] != 0 || !this->IsKnown(point))
-  {
-    return false;
-  }
-  const int layer = this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[Index(point)];
-  return layer < 0 || layer == this->Set.layerIndex[Index(into)];
+  const int layer = this->LayerOf(point);
+  return this->Set.fixed[Index(point)] == 0 && this->IsKnown(point) &&
+         (acrossLayers || layer < 0 || layer == this->LayerOf(into));
 }
 
-TetCavity::Done TetCavity::Collapse(Id tet)
+TetCavity::Done TetCavity::Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken)
 {
   const Tet own = this->Set.tets[Index(tet)];
   Change best;
   double gained = LeastGain;
+  Id lost = -1; // a point of a layer
   for (Id from : own)
   {
     for (Id into : own)
     {
-      if (from == into || !this->MayRemove(from, into) || !this->IsInterior(from))
+      if (from == into || !this->MayRemove(from, into, acrossLayers) || !this->IsInterior(from))
       {
         continue;
       }
@@ -269,12 +266,14 @@ TetCavity::Done TetCavity::Collapse(Id tet)
       {
         gained = change.quality - before;
         best = std::move(change);
+        lost = this->LayerOf(from) >= 0 && this->LayerOf(from) != this->LayerOf(into) ? from : -1;
       }
     }
   }
   if (best.kind != Done::Nothing)
   {
     this->Apply(best);
+    taken.insert(taken.end(), lost >= 0 ? 1 : 0, lost);
   }
   return best.kind;
 }
