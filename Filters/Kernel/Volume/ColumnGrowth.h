@@ -32,6 +32,7 @@ private:
 
   // Heights (ColumnHeights.cxx).
   void SetHeights();
+  void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
   void LimitSlopes();
   void Shrink(Id v, double factor);
