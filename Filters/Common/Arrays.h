@@ -8,6 +8,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
@@ -47,6 +48,19 @@ void SetOrRemove(vtkDataSetAttributes* attributes, const char* name, const std::
     return;
   }
   attributes->AddArray(MakeArray<ArrayT>(name, values, components));
+}
+
+/// The same for vectors, in tuples of three.
+inline void SetOrRemoveVectors(vtkDataSetAttributes* attributes, const char* name,
+                               const std::vector<Vec3>& vectors)
+{
+  std::vector<double> values;
+  values.reserve(3 * vectors.size());
+  for (const Vec3& v : vectors)
+  {
+    values.insert(values.end(), { v.x, v.y, v.z });
+  }
+  SetOrRemove<vtkDoubleArray>(attributes, name, values, 3);
 }
 
 /// The values of an array of any number type; none if the array is missing. `where` is "points" or "cells".

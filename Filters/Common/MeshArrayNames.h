@@ -27,6 +27,7 @@ constexpr const char* JunctionKind = "JunctionKind";
 constexpr const char* MaterialFeatureSize = "MaterialFeatureSize";
 constexpr const char* FeatureSize = "FeatureSize";
 constexpr const char* TargetEdgeLength = "TargetEdgeLength";
+constexpr const char* LayerHeight = "LayerHeight";
 constexpr const char* MaximumCurvature = "MaximumCurvature";
 constexpr const char* MinimumCurvature = "MinimumCurvature";
 constexpr const char* MaximumCurvatureDirection = "MaximumCurvatureDirection";

@@ -217,6 +217,18 @@ MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool&
   return isStale ? none : read;
 }
 
+Result<MeshPatches> RequirePatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh)
+{
+  bool isStale = false;
+  MeshPatches patches = ReadPatches(grid, mesh, isStale);
+  if (patches.patches.empty())
+  {
+    return InvalidInput("the mesh has no patches, or lost cells since they were named: run Fluid-Solid Mesh, "
+                        "and this filter right after it");
+  }
+  return patches;
+}
+
 bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches)
 {
   const PatchArrays arrays(grid->GetFieldData());

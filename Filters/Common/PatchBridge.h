@@ -21,6 +21,9 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid);
 /// found on (it was cut or joined since); `isStale` then tells.
 MeshPatches ReadPatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh, bool& isStale);
 
+/// Read them back, or say that there are none.
+Result<MeshPatches> RequirePatches(vtkUnstructuredGrid* grid, const VolumeMesh& mesh);
+
 /// Read them as they are, for the audit: faces may be wrong, only the arrays' shapes are tested. False if
 /// there are none.
 bool ReadRawPatches(vtkUnstructuredGrid* grid, MeshPatches& patches);

@@ -99,6 +99,7 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   SetOrRemove<vtkUnsignedCharArray>(points, names::JunctionKind, surface.junctionKind);
   SetOrRemove<vtkDoubleArray>(points, names::FeatureSize, surface.featureSize);
   SetOrRemove<vtkDoubleArray>(points, names::TargetEdgeLength, surface.targetEdgeLength);
+  SetOrRemove<vtkDoubleArray>(points, names::LayerHeight, surface.layerHeight);
   WriteCurvatures(surface, points);
   WriteThickness(surface, output);
   WritePatchNames(surface, output);

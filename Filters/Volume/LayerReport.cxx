@@ -18,6 +18,7 @@ Report DescribeLayers(const LayersReport& report)
     .Add("columns", report.columns)
     .Add("thinnedColumns", report.thinnedColumns)
     .Add("stoppedColumns", report.stoppedColumns)
+    .Add("shortenedColumns", report.shortenedColumns)
     .Add("stoppedPlaces", report.stoppedPlaces)
     .Add("leastQuality", report.leastQuality);
 }

@@ -2,7 +2,9 @@
 #include "vtkCoreTetrahedra.h"
 
 #include "AlgorithmMonitor.h"
+#include "Arrays.h"
 #include "GridBridge.h"
+#include "MeshArrayNames.h"
 #include "Programs.h"
 #include "Report.h"
 #include "Stage.h"
@@ -13,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -82,11 +85,18 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
   lamina::AlgorithmMonitor monitor(this);
   const auto work = [&]() -> lamina::Status
   {
-    const auto surface = lamina::ReadSurface(input, monitor);
+    auto surface = lamina::ReadSurface(input, monitor);
     if (!surface)
     {
       return surface.GetError();
     }
+    auto heights = lamina::ReadValues<double>(input->GetPointData(), lamina::names::LayerHeight,
+                                              input->GetNumberOfPoints(), 1, "points");
+    if (!heights)
+    {
+      return heights.GetError();
+    }
+    surface->layerHeight = std::move(*heights);
     const lamina::CoreTetsOptions options{ lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio,
                                            this->SizeFactor, this->MaximumEdge };
     lamina::VolumeMesh mesh;

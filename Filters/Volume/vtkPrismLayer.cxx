@@ -42,6 +42,24 @@ int vtkPrismLayer::GetFluidMaterial(int index)
   return known ? this->FluidMaterials[static_cast<std::size_t>(index)] : -1;
 }
 
+void vtkPrismLayer::AddNeighbourMaterial(int material)
+{
+  this->NeighbourMaterials.push_back(material);
+  this->Modified();
+}
+
+void vtkPrismLayer::ClearNeighbourMaterials()
+{
+  this->NeighbourMaterials.clear();
+  this->Modified();
+}
+
+int vtkPrismLayer::GetNeighbourMaterial(int index)
+{
+  const bool known = index >= 0 && index < this->GetNumberOfNeighbourMaterials();
+  return known ? this->NeighbourMaterials[static_cast<std::size_t>(index)] : -1;
+}
+
 int vtkPrismLayer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -91,8 +109,10 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
     {
       return sized;
     }
-    const lamina::PrismLayersOptions options{ this->FluidMaterials, this->Layers, this->GrowthRatio,
-                                              this->Thickness };
+    const lamina::PrismLayersOptions options{ this->FluidMaterials,    this->Layers,
+                                              this->GrowthRatio,       this->Thickness,
+                                              this->TotalThickness,    this->FirstHeight,
+                                              this->NeighbourMaterials };
     lamina::VolumeMesh mesh;
     lamina::TriangleComplex front;
     lamina::LayersOnSurface layers;
@@ -118,4 +138,7 @@ void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "GrowthRatio: " << this->GrowthRatio << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "TotalThickness: " << this->TotalThickness << "\n";
+  os << indent << "FirstHeight: " << this->FirstHeight << "\n";
+  os << indent << "NeighbourMaterials: " << lamina::Listed(this->NeighbourMaterials) << "\n";
 }

@@ -79,6 +79,33 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
+  ///@{
+  /**
+   * The height of all layers together, a length, instead of the share; 0: by the share. Where it is more
+   * than 0.45 of the local feature size, layers are thinner. Default: 0.
+   */
+  vtkSetMacro(TotalThickness, double);
+  vtkGetMacro(TotalThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * The height of the first layer, a length, instead of both; 0: not fixed. Default: 0.
+   */
+  vtkSetMacro(FirstHeight, double);
+  vtkGetMacro(FirstHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * The materials on whose walls prisms grow; 0 is the outside. Default: none, which stands for all.
+   */
+  void AddNeighbourMaterial(int material);
+  void ClearNeighbourMaterials();
+  int GetNumberOfNeighbourMaterials() { return static_cast<int>(this->NeighbourMaterials.size()); }
+  int GetNeighbourMaterial(int index);
+  ///@}
+
 protected:
   vtkPrismLayer();
   ~vtkPrismLayer() override = default;
@@ -95,6 +122,9 @@ private:
   int Layers = 5;
   double GrowthRatio = 1.2;
   double Thickness = 0.25;
+  double TotalThickness = 0.0;
+  double FirstHeight = 0.0;
+  std::vector<int> NeighbourMaterials;
 };
 
 #endif

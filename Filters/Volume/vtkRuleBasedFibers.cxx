@@ -33,23 +33,6 @@ void vtkRuleBasedFibers::ClearMuscleMaterials()
   this->Modified();
 }
 
-namespace
-{
-
-/// Vectors as an array of three components.
-void SetVectors(vtkCellData* cells, const char* name, const std::vector<lamina::Vec3>& vectors)
-{
-  std::vector<double> values;
-  values.reserve(3 * vectors.size());
-  for (const lamina::Vec3& v : vectors)
-  {
-    values.insert(values.end(), { v.x, v.y, v.z });
-  }
-  lamina::SetOrRemove<vtkDoubleArray>(cells, name, values, 3);
-}
-
-} // namespace
-
 int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                     vtkInformationVector* outputs)
 {
@@ -73,13 +56,10 @@ int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inpu
     {
       return known;
     }
-    bool isStale = false;
-    const lamina::MeshPatches patches = lamina::ReadPatches(input, *mesh, isStale);
-    if (patches.patches.empty())
+    const auto patches = lamina::RequirePatches(input, *mesh);
+    if (!patches)
     {
-      return lamina::InvalidInput(
-        "the mesh has no patches, or lost cells since they were named: run Fluid-Solid "
-        "Mesh, and this filter right after it");
+      return patches.GetError();
     }
     lamina::FiberOptions options;
     options.materials = this->MuscleMaterials;
@@ -90,14 +70,14 @@ int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.transverse = this->TransverseAngle;
     options.axis = { this->Axis[0], this->Axis[1], this->Axis[2] };
     lamina::FiberField field;
-    const auto report = lamina::ComputeFibers(*mesh, patches, options, field, monitor);
+    const auto report = lamina::ComputeFibers(*mesh, *patches, options, field, monitor);
     if (!report)
     {
       return report.GetError();
     }
     output->ShallowCopy(input);
-    SetVectors(output->GetCellData(), lamina::names::Fibers, field.fibers);
-    SetVectors(output->GetCellData(), lamina::names::Sheets, field.sheets);
+    lamina::SetOrRemoveVectors(output->GetCellData(), lamina::names::Fibers, field.fibers);
+    lamina::SetOrRemoveVectors(output->GetCellData(), lamina::names::Sheets, field.sheets);
     lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::WallDepth, field.depth);
     lamina::AttachReport(
       output, "RuleBasedFibers",

@@ -201,6 +201,71 @@ TEST(PrismLayers, OpeningsCarryNoLayers)
   }
 }
 
+TEST(PrismLayers, OnlyChosenNeighboursCarryLayers)
+{
+  // Fluid 2 between a ball of 1 and the outside.
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 3, { 1, 2 });
+  shapes::AddSphere(surface, {}, 1.6, 3, { 2, 0 });
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 2 };
+  options.layers = 3;
+  for (const int neighbour : { 0, 1 })
+  {
+    options.neighbours = { neighbour };
+    const Layers layers = Grow(surface, options);
+    EXPECT_EQ(layers.report.wedges, 3 * 512);
+    EXPECT_EQ(layers.report.stoppedColumns, 0); // walls not chosen are no trouble
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      const int other =
+        surface.materials[t].first == 2 ? surface.materials[t].second : surface.materials[t].first;
+      EXPECT_EQ(layers.onSurface.achieved[t], other == neighbour ? 3 : 0);
+    }
+  }
+  options.neighbours = { 1, 7 };
+  ExpectError(surface, options, Failure::InvalidOption, "no fluid borders material 7");
+}
+
+TEST(PrismLayers, LengthsAreKept)
+{
+  const TriangleComplex surface = SizedSphere(3);
+  PrismLayersOptions options;
+  options.materials = { 3 };
+  options.layers = 3;
+  options.growth = 1.5;
+  const auto expect = [&](double first)
+  {
+    const Layers layers = Grow(surface, options);
+    ExpectSound(surface, layers, 3, { 3 });
+    EXPECT_EQ(layers.onSurface.fraction, std::vector<double>(surface.triangles.size(), 1));
+    for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
+    {
+      const double depth = 1 - Norm(layers.mesh.points[p] - Vec3{ 5, 5, 5 });
+      const double expected = first * (std::pow(1.5, layers.mesh.layerIndex[p]) - 1) / 0.5;
+      EXPECT_NEAR(depth, expected, 0.01 * expected + 1e-12);
+    }
+  };
+  options.firstHeight = 0.02;
+  expect(0.02);
+  options.firstHeight = 0;
+  options.total = 0.19;
+  expect(0.19 / 4.75);
+  // More than there is room for: thinner layers, and an error if there is room nowhere.
+  options.total = 1.8;
+  const Layers layers = Grow(surface, options);
+  ExpectSound(surface, layers, 3, { 3 });
+  EXPECT_LT(*std::max_element(layers.onSurface.fraction.begin(), layers.onSurface.fraction.end()), 0.6);
+  options.total = 5;
+  ExpectError(surface, options, Failure::InvalidOption, "fit nowhere");
+  options.total = 0.1;
+  options.firstHeight = 0.1;
+  ExpectError(surface, options, Failure::InvalidOption, "both given");
+  options.firstHeight = -1;
+  ExpectError(surface, options, Failure::InvalidOption, "lengths");
+}
+
 TEST(PrismLayers, ThreadsMakeNoDifference)
 {
   const TriangleComplex surface = SizedSphere(2);

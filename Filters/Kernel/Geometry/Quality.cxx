@@ -100,6 +100,31 @@ double TetQuality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return product > 0 ? 6 * det * std::abs(det) / product : 0;
 }
 
+double TetLeastSine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+  // With a volume V, faces A and B at an edge l: sin = 3 V l / (2 A B).
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = d - a;
+  const Vec3 uv = Cross(u, v);
+  const Vec3 vw = Cross(v, w);
+  const Vec3 wu = Cross(w, u);
+  const double det = Dot(uv, w);
+  // Squares of twice the faces opposite to d, b, c and a.
+  const double sd = Norm2(uv);
+  const double sb = Norm2(vw);
+  const double sc = Norm2(wu);
+  const double sa = Norm2(uv + vw + wu);
+  if (!(sa * sb * sc * sd > 0))
+  {
+    return 0;
+  }
+  const double least =
+    std::min({ Norm2(u) / (sc * sd), Norm2(v) / (sb * sd), Norm2(w) / (sb * sc), Norm2(v - u) / (sa * sd),
+               Norm2(w - u) / (sa * sc), Norm2(w - v) / (sa * sb) });
+  return det * std::sqrt(least);
+}
+
 std::array<double, 2> TetDihedralAngles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
   const std::array<Vec3, 4> p{ { a, b, c, d } };

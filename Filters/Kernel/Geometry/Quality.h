@@ -13,6 +13,9 @@ double TriangleQuality(const Vec3& a, const Vec3& b, const Vec3& c);
 double TetVolume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// 3 r/R: 1 regular, 0 degenerate; negative for an inverted tet.
 double TetQuality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// The least sine of the six dihedral angles: 0.94 regular, small for angles near 0 and near 180 degrees;
+/// negative for an inverted tet.
+double TetLeastSine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Least and largest dihedral angle, degrees.
 std::array<double, 2> TetDihedralAngles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 

@@ -99,6 +99,31 @@ bool IsOpening(const TriangleComplex& surface, int patch)
   return patch > 0 && p < surface.patchNames.size() && surface.patchNames[p].rfind("opening", 0) == 0;
 }
 
+std::vector<double> MeanEdgesAtPoints(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<double> mean(points.size(), 0);
+  std::vector<int> count(points.size(), 0);
+  for (const Triangle& t : triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t a = static_cast<std::size_t>(t[k]);
+      const std::size_t b = static_cast<std::size_t>(t[(k + 1) % 3]);
+      const double length = Norm(points[b] - points[a]);
+      for (std::size_t p : { a, b })
+      {
+        mean[p] += length;
+        ++count[p];
+      }
+    }
+  }
+  for (std::size_t p = 0; p < mean.size(); ++p)
+  {
+    mean[p] = count[p] > 0 ? mean[p] / count[p] : 0;
+  }
+  return mean;
+}
+
 double MeanEdgeLength(const TriangleComplex& surface)
 {
   double sum = 0;

@@ -71,6 +71,10 @@ inline Vec3 AreaVector2(const std::vector<Vec3>& points, const Triangle& t)
   return Cross(points[static_cast<std::size_t>(t[1])] - a, points[static_cast<std::size_t>(t[2])] - a);
 }
 
+/// The mean length of the edges at each point; 0 where there is none.
+std::vector<double> MeanEdgesAtPoints(const std::vector<Vec3>& points,
+                                      const std::vector<Triangle>& triangles);
+
 /// The mean edge length over all triangles; 0 for an empty complex.
 double MeanEdgeLength(const TriangleComplex& surface);
 

@@ -32,6 +32,8 @@ private:
 
   // Heights (ColumnHeights.cxx).
   void SetHeights();
+  void SetHeight(Id v, double thickness);
+  double TallestColumn(Id v) const;
   void LimitSlopes();
   void Shrink(Id v, double factor);
   void Stop(Id v);
@@ -58,6 +60,8 @@ private:
   double WorstAround(Id v, double atLeast, double enough) const;
 
   static constexpr int MostRounds = 120;
+  /// Fronts should be this much of an edge apart, for the core between them to be well shaped.
+  static constexpr double GapOfEdge = 0.3;
   double WallEdge(Id v) const { return this->Edge[static_cast<std::size_t>(v)]; }
 
   const Wall& W;

@@ -16,6 +16,8 @@ namespace
 
 constexpr double slopeOfHeight = 0.5;   ///< largest change of column height over length along the wall
 constexpr double thinnestLayer = 0.05;  ///< of a tet's layer over its wall edge: thinner ones are bad tets
+constexpr double largestShare = 0.45;   ///< of the thickness, where a length is asked for
+constexpr double tallestPrism = 0.65;   ///< of the last layer over its wall edge
 constexpr double thinnestColumn = 1e-4; ///< of a column of prisms over its wall edge
 
 std::size_t U(Id i)
@@ -24,6 +26,30 @@ std::size_t U(Id i)
 }
 
 } // namespace
+
+/// Prisms as high as the wall's edges are long: higher ones would be larger than any tet of the core on them.
+double ColumnGrowth::TallestColumn(Id v) const
+{
+  if (this->Options.cells == ColumnCells::Tets || this->C.layers == 0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double last = 1 - this->C.fraction[U(this->C.layers - 1)];
+  return tallestPrism * this->WallEdge(v) / last;
+}
+
+/// The height asked for and the one to start from.
+void ColumnGrowth::SetHeight(Id v, double thickness)
+{
+  double fixed = this->Options.total;
+  if (this->Options.firstHeight > 0 && this->C.layers > 0)
+  {
+    fixed = this->Options.firstHeight / this->C.fraction[1];
+  }
+  const double byShare = std::min(this->Options.share * thickness, this->TallestColumn(v));
+  this->C.wanted[U(v)] = fixed > 0 ? fixed : byShare;
+  this->C.height[U(v)] = fixed > 0 ? std::min(fixed, largestShare * thickness) : byShare;
+}
 
 /// The share of the thickness, at most what the ray along the column itself finds.
 void ColumnGrowth::SetHeights()
@@ -55,11 +81,15 @@ void ColumnGrowth::SetHeights()
                           return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
                         });
                       thickness = std::min(thickness, hit.t);
-                      this->C.wanted[U(v)] = std::isfinite(thickness) ? this->Options.share * thickness : 0;
+                      this->SetHeight(v, std::isfinite(thickness) ? thickness : 0);
                     }
                   });
-  this->C.height = this->C.wanted;
-  this->WallGap = PointClearances(this->W.points, this->W.triangles, this->C.wanted, this->Watch);
+  std::vector<double> reach(count);
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    reach[v] = std::max(this->C.wanted[v], 2 * GapOfEdge * this->Edge[v]);
+  }
+  this->WallGap = PointClearances(this->W.points, this->W.triangles, reach, this->Watch);
 }
 
 /// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped

@@ -165,12 +165,14 @@ Id ColumnGrowth::MendFronts(int round)
   if (round < MostRounds / 3) // distance is a wish, freedom from intersections a must
   {
     std::vector<double> gap(front.size());
+    const std::vector<double> edge = MeanEdgesAtPoints(front, this->W.triangles);
     const double last = this->C.layers > 0 ? 1 - this->C.fraction[U(this->C.layers - 1)] : 0;
     for (std::size_t v = 0; v < front.size(); ++v)
     {
       // At most half of what the wall itself has: there it is the next triangles of the same front that are
       // near.
-      gap[v] = std::min(0.6 * last * this->C.height[v], 0.5 * this->WallGap[v]);
+      const double wish = std::max(0.6 * last * this->C.height[v], GapOfEdge * edge[v]);
+      gap[v] = std::min(wish, 0.5 * this->WallGap[v]);
     }
     const std::vector<double> clearance = PointClearances(front, this->W.triangles, gap, this->Watch);
     for (std::size_t v = 0; v < front.size(); ++v)

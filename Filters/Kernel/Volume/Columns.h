@@ -22,6 +22,8 @@ struct ColumnOptions
   double growth = 1;   ///< height of a layer over the one below
   double share = 0.25; ///< of the local thickness that all layers together take
   ColumnCells cells = ColumnCells::Prisms;
+  double total = 0;       ///< height of all layers, a length, instead of the share; 0: by the share
+  double firstHeight = 0; ///< of the first layer, a length, instead of both; 0: not fixed
 };
 
 /// Layer k (0 the wall, `layers` the front) of node v stands at wall.points[v] + height[v] * fraction[k] *

@@ -3,8 +3,10 @@
 
 #include "../Geometry/Predicates.h"
 #include "../Geometry/Quality.h"
+#include "../Mesh/Adjacency.h"
 #include "ChildProcess.h"
 #include "CoreTetsInput.h"
+#include "GradedPoints.h"
 #include "ImproveTets.h"
 #include "TetGenRun.h"
 #include "TetRegions.h"
@@ -34,23 +36,9 @@ std::size_t Index(Id id)
 /// what TetGen compares with.
 std::vector<double> SizesWanted(const TriangleComplex& surface, const CoreTetsOptions& options)
 {
-  std::vector<double> wanted(surface.points.size(), 0);
-  std::vector<int> count(surface.points.size(), 0);
-  for (const Triangle& t : surface.triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double length = Norm(surface.points[Index(t[(k + 1) % 3])] - surface.points[Index(t[k])]);
-      for (Id p : { t[k], t[(k + 1) % 3] })
-      {
-        wanted[Index(p)] += length;
-        ++count[Index(p)];
-      }
-    }
-  }
+  std::vector<double> wanted = MeanEdgesAtPoints(surface.points, surface.triangles);
   for (std::size_t p = 0; p < wanted.size(); ++p)
   {
-    wanted[p] = count[p] > 0 ? wanted[p] / count[p] : 0;
     if (p < surface.targetEdgeLength.size() && surface.targetEdgeLength[p] > 0)
     {
       wanted[p] = surface.targetEdgeLength[p];
@@ -204,7 +192,9 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
   {
     return *error;
   }
-  const TetGenTask task = MakeTask(surface, interior, options);
+  std::vector<Vec3> inserted = GradedPoints(surface, monitor);
+  inserted.insert(inserted.end(), interior.begin(), interior.end());
+  const TetGenTask task = MakeTask(surface, inserted, options);
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -16,6 +16,7 @@ using Tet = std::array<Id, 4>;
 
 constexpr Id Grain = 16384;
 constexpr std::size_t CancelEvery = 256;
+constexpr double LittleGain = 0.02;
 
 std::size_t Index(Id id)
 {
@@ -31,7 +32,7 @@ std::vector<double> Qualities(const TetSet& set, Monitor& monitor)
                 for (Id t = begin; t < end; ++t)
                 {
                   const Tet& c = set.tets[Index(t)];
-                  qualities[Index(t)] = TetQuality(set.points[Index(c[0])], set.points[Index(c[1])],
+                  qualities[Index(t)] = ShapeOfTet(set.points[Index(c[0])], set.points[Index(c[1])],
                                                    set.points[Index(c[2])], set.points[Index(c[3])]);
                 }
               });
@@ -39,14 +40,12 @@ std::vector<double> Qualities(const TetSet& set, Monitor& monitor)
 }
 
 /// The tets below the target, worst first.
-std::vector<Id> FindBad(const TetSet& set, double target, Monitor& monitor, double& least)
+std::vector<Id> FindBad(const TetSet& set, double target, Monitor& monitor)
 {
   const auto qualities = Qualities(set, monitor);
   std::vector<Id> bad;
-  least = 1;
   for (std::size_t t = 0; t < qualities.size(); ++t)
   {
-    least = std::min(least, qualities[t]);
     if (qualities[t] < target)
     {
       bad.push_back(static_cast<Id>(t));
@@ -74,12 +73,52 @@ void Compact(TetSet& set)
   set.groups.resize(to);
 }
 
+Id CountOf(const ImproveTetsReport& report)
+{
+  return report.edgesRemoved + report.facesFlipped + report.pointsMoved + report.pointsRemoved +
+         report.pointsAdded;
+}
+
+void Note(TetCavity::Done done, ImproveTetsReport& report)
+{
+  report.edgesRemoved += done == TetCavity::Done::EdgeRemoved;
+  report.facesFlipped += done == TetCavity::Done::FaceFlipped;
+  report.pointsRemoved += done == TetCavity::Done::PointRemoved;
+  report.pointsAdded += done == TetCavity::Done::PointAdded;
+}
+
+/// Qualities below which points are put in or taken out, and points of layers taken out.
+struct Limits
+{
+  double points = 0;
+  double layers = 0;
+};
+
+/// The first operation that betters the tet, the cheapest first. Points are put in or taken out where moves
+/// gain little.
+void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, ImproveTetsReport& report)
+{
+  const auto quality = [&]() { return cavity.Quality(set.tets[Index(tet)]); };
+  const double before = quality();
+  auto done = cavity.Reconnect(tet);
+  if (done == TetCavity::Done::Nothing)
+  {
+    report.pointsMoved += cavity.MovePoints(tet);
+    if (quality() < std::min(limits.points, before + LittleGain))
+    {
+      done = cavity.Collapse(tet, quality() < limits.layers, report.takenFromLayers);
+      done = done == TetCavity::Done::Nothing ? cavity.Insert(tet) : done;
+    }
+  }
+  Note(done, report);
+}
+
 /// One pass over the bad tets; false if nothing could be done.
-bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>& bad,
+bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, const std::vector<Id>& bad,
           ImproveTetsReport& report, Monitor& monitor)
 {
   TetCavity cavity(set, bad);
-  const Id before = report.edgesRemoved + report.facesFlipped + report.pointsMoved;
+  const Id before = CountOf(report);
   for (std::size_t i = 0; i < bad.size(); ++i)
   {
     if (i % CancelEvery == 0 && monitor.Cancelled())
@@ -87,21 +126,15 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const std::vector<Id>&
       break;
     }
     // An operation on a neighbour may have replaced or mended it.
-    const Id t = bad[i];
-    if (set.tets[Index(t)][0] < 0 || cavity.Quality(set.tets[Index(t)]) >= options.target)
+    const Tet& own = set.tets[Index(bad[i])];
+    const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
+    if (quality < options.target)
     {
-      continue;
-    }
-    const auto done = cavity.Reconnect(t);
-    report.edgesRemoved += done == TetCavity::Done::EdgeRemoved;
-    report.facesFlipped += done == TetCavity::Done::FaceFlipped;
-    if (done == TetCavity::Done::Nothing)
-    {
-      report.pointsMoved += cavity.MovePoints(t);
+      Better(cavity, set, bad[i], limits, report);
     }
   }
   Compact(set);
-  return report.edgesRemoved + report.facesFlipped + report.pointsMoved > before;
+  return CountOf(report) > before;
 }
 
 } // namespace
@@ -111,18 +144,26 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
   ImproveTetsReport report;
   set.groups.resize(set.tets.size(), 0);
   set.fixed.resize(set.points.size(), 0);
-  auto bad = FindBad(set, options.target, monitor, report.leastQuality);
+  auto bad = FindBad(set, options.target, monitor);
   for (int round = 0; round < options.rounds && !bad.empty() && !monitor.Cancelled(); ++round)
   {
     monitor.Progress(round / static_cast<double>(options.rounds), "Improving the worst tetrahedra");
-    const bool hasMoved = Pass(set, options, bad, report, monitor);
-    bad = FindBad(set, options.target, monitor, report.leastQuality);
-    if (!hasMoved)
+    const bool isLate = round >= options.rounds * 2 / 3;
+    const Limits limits{ options.pointsBelow, isLate ? options.layersBelow : 0 };
+    const bool hasMoved = Pass(set, options, limits, bad, report, monitor);
+    bad = FindBad(set, options.target, monitor);
+    if (!hasMoved && isLate)
     {
       break;
     }
+    round = hasMoved || isLate ? round : options.rounds * 2 / 3 - 1;
   }
   report.left = static_cast<Id>(bad.size());
+  for (const Tet& c : set.tets)
+  {
+    const auto at = [&](std::size_t k) { return set.points[Index(c[k])]; };
+    report.leastQuality = std::min(report.leastQuality, TetQuality(at(0), at(1), at(2), at(3)));
+  }
   return report;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local improvement of the worst tetrahedra: edges removed, faces flipped, points moved.
+// Local improvement of the worst tetrahedra: edges removed, faces flipped, points moved, put in and taken
+// out.
 #pragma once
 
 #include "../Base/Monitor.h"
@@ -20,8 +21,12 @@ struct TetSet
 
 struct ImproveTetsOptions
 {
-  double target = 0.2; ///< tets with 3r/R below are worked on, in (0, 1)
-  int rounds = 8;      ///< passes over them, 1 or more
+  double target = 0.25;     ///< tets with 3r/R below, or angles that count so, are worked on, in (0, 1)
+  double pointsBelow = 0.2; ///< where nothing else helps, points are put in or taken out below; 0: never
+  /// In the last rounds points of layers may be taken out where tets are still below, at the cost of a layer
+  /// there; 0: never.
+  double layersBelow = 0.12;
+  int rounds = 12; ///< passes over them, 1 or more
 };
 
 struct ImproveTetsReport
@@ -29,13 +34,22 @@ struct ImproveTetsReport
   Id edgesRemoved = 0;
   Id facesFlipped = 0;
   Id pointsMoved = 0;
+  Id pointsRemoved = 0; ///< they stay in the list of points, unused
+  Id pointsAdded = 0;   ///< at the end of the list, free, of no layer
+  std::vector<Id>
+    takenFromLayers;       ///< points of layers among those removed, without another of theirs instead
   Id left = 0;             ///< tets still below the target
   double leastQuality = 1; ///< 3r/R
 };
 
-/// Each operation raises the least 3r/R of the tets it replaces; worst first, the same on any machine and
-/// with any number of threads. The boundary, the groups' interfaces and the volume they enclose stay as they
-/// are. Stops early, with a sound mesh, when cancelled.
+/// Each operation raises the least shape of the tets it replaces: 3r/R, or the least sine of a dihedral angle
+/// if that is the greater lack (8 degrees, or 172, count as 3r/R of 0.2). Worst first, the same on any
+/// machine and with any number of threads. The boundary, the groups' interfaces and the volume they enclose
+/// stay as they are. Points of layers are drawn into others of their layer only, but for the last rounds.
+/// After L. A. Freitag, C. Ollivier-Gooch: Tetrahedral mesh improvement using swapping and smoothing,
+/// International Journal for Numerical Methods in Engineering 40 (1997), and, for points put in, B. M.
+/// Klingner, J. R. Shewchuk: Aggressive tetrahedral mesh improvement, 16th International Meshing Roundtable
+/// (2007). Stops early, with a sound mesh, when cancelled.
 ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Monitor& monitor);
 
 } // namespace lamina

@@ -55,6 +55,7 @@ std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnC
   {
     ids[0][v] = this->WallPoint(wall.surfacePoints[v]);
   }
+  this->FirstOfLayers = static_cast<Id>(this->Mesh.points.size());
   for (int k = 1; k <= columns.layers; ++k)
   {
     for (std::size_t v = 0; v < count; ++v)
@@ -128,12 +129,44 @@ void LayerMesh::Mark(const Wall& wall, const Columns& columns, LayersOnSurface& 
   }
 }
 
+void LayerMesh::MarkLost(const Wall& wall, const Columns& columns, const std::vector<Id>& points,
+                         LayersOnSurface& onSurface, LayersReport& report) const
+{
+  // Layers' points follow each other layer by layer, those of standing columns only.
+  std::vector<Id> standing;
+  for (Id v = 0; v < static_cast<Id>(wall.points.size()); ++v)
+  {
+    standing.insert(standing.end(), columns.Stopped(v) ? 0 : 1, v);
+  }
+  std::vector<char> isCounted(wall.points.size(), 0);
+  for (Id p : points)
+  {
+    const Id place = p - this->FirstOfLayers;
+    const Id perLayer = static_cast<Id>(standing.size());
+    if (place < 0 || perLayer == 0 || place >= perLayer * columns.layers)
+    {
+      continue;
+    }
+    const Id v = standing[U(place % perLayer)];
+    const int left = static_cast<int>(place / perLayer);
+    report.shortenedColumns += isCounted[U(v)] == 0 ? 1 : 0;
+    isCounted[U(v)] = 1;
+    for (Id t : Row(wall.star, v))
+    {
+      int& achieved = onSurface.achieved[U(wall.surfaceTriangles[U(t)])];
+      achieved = std::min(achieved, left);
+    }
+  }
+}
+
 TriangleComplex FrontOf(const Wall& wall, const Columns& columns)
 {
   TriangleComplex front;
   for (std::size_t v = 0; v < wall.points.size(); ++v)
   {
     front.points.push_back(columns.Place(wall, static_cast<Id>(v), columns.layers));
+    const double last = columns.layers > 0 ? 1 - columns.fraction[U(columns.layers - 1)] : 0;
+    front.layerHeight.push_back(last * columns.height[v]);
   }
   for (const Triangle& t : wall.triangles)
   {

@@ -21,6 +21,10 @@ public:
   /// Tells the surface's triangles how many layers stand on them, and how high.
   static void Mark(const Wall& wall, const Columns& columns, LayersOnSurface& onSurface,
                    LayersReport& report);
+  /// Tells the triangles round columns that lost the points (mesh ids, all added by the last Add() of this
+  /// wall) how many layers are left, and counts the columns as thinned.
+  void MarkLost(const Wall& wall, const Columns& columns, const std::vector<Id>& points,
+                LayersOnSurface& onSurface, LayersReport& report) const;
   /// The mesh id of a point of the surface.
   Id WallPoint(Id surfacePoint);
   Id AddPoint(const Vec3& place, int layerIndex);
@@ -29,6 +33,7 @@ private:
   const TriangleComplex& Surface;
   VolumeMesh& Mesh;
   std::vector<Id> PointOfSurface;
+  Id FirstOfLayers = 0; ///< the first point of the last wall's layers
 };
 
 /// The front of columns as a closed surface that bounds the rest of the material: normals out of the core.

@@ -2,12 +2,11 @@
 #include "LayeredTets.h"
 
 #include "../Geometry/Quality.h"
-#include "../Search/TriangleTree.h"
-#include "ImproveTets.h"
+#include "ImproveLayers.h"
 #include "LayerMesh.h"
+#include "MiddlePoints.h"
 
 #include <algorithm>
-#include <map>
 
 namespace lamina
 {
@@ -25,85 +24,6 @@ std::size_t U(Id i)
 int LayersOfColumn(int layers)
 {
   return layers % 2 == 0 ? layers / 2 - 1 : (layers - 1) / 2;
-}
-
-/// Points half way between opposite fronts, where an even number of layers has its middle. Points too near to
-/// one taken before are left out.
-std::vector<Vec3> MiddlePoints(const Wall& wall, const Columns& columns, const TriangleComplex& front,
-                               const LayeredTetsOptions& options, Monitor& monitor)
-{
-  const TriangleTree tree(front.points, front.triangles);
-  const std::size_t count = wall.points.size();
-  std::vector<Vec3> middle(count);
-  std::vector<double> radius(count, 0);
-  monitor.For(static_cast<Id>(count), 256,
-              [&](Id begin, Id end)
-              {
-                for (Id v = begin; v < end; ++v)
-                {
-                  if (wall.fixed[U(v)] || (columns.layers > 0 && columns.Stopped(v)))
-                  {
-                    continue;
-                  }
-                  const Vec3& m = columns.direction[U(v)];
-                  const double thickness = wall.thickness.empty() ? 0 : wall.thickness[U(v)];
-                  const auto hit =
-                    tree.FirstHit(front.points[U(v)], m, 1e-3 * thickness, 3.0 * thickness / options.layers,
-                                  [&](Id t)
-                                  {
-                                    const Triangle& c = front.triangles[U(t)];
-                                    return c[0] != v && c[1] != v && c[2] != v;
-                                  });
-                  if (hit.triangle >= 0)
-                  {
-                    middle[U(v)] = front.points[U(v)] + (0.5 * hit.t) * m;
-                    radius[U(v)] = 0.5 * hit.t;
-                  }
-                }
-              });
-  // Greedy thinning on a grid, in the order of ids. A radius is a layer's thickness: along the wall points
-  // may stand about half as close as the wall's own.
-  const double spacing = std::min(1.0, 0.45 * options.anisotropy);
-  double cell = 0;
-  for (double r : radius)
-  {
-    cell = std::max(cell, r);
-  }
-  std::vector<Vec3> kept;
-  std::vector<double> keptRadius;
-  std::map<std::array<long long, 3>, std::vector<std::size_t>> grid;
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    if (radius[v] == 0)
-    {
-      continue;
-    }
-    std::array<long long, 3> at;
-    for (int c = 0; c < 3; ++c)
-    {
-      at[static_cast<std::size_t>(c)] = static_cast<long long>(std::floor(middle[v][c] / cell));
-    }
-    bool free = true;
-    for (int q = 0; q < 27 && free; ++q)
-    {
-      const auto found = grid.find({ at[0] + q % 3 - 1, at[1] + q / 3 % 3 - 1, at[2] + q / 9 - 1 });
-      if (found != grid.end())
-      {
-        for (std::size_t other : found->second)
-        {
-          free = free && Norm(kept[other] - middle[v]) > spacing * std::min(radius[v], keptRadius[other]);
-        }
-      }
-    }
-    // Not where a third part of the front comes nearer than the two it was put between.
-    if (free && tree.ClosestPoint(middle[v], 0.64 * radius[v] * radius[v]).triangle < 0)
-    {
-      grid[at].push_back(kept.size());
-      kept.push_back(middle[v]);
-      keptRadius.push_back(radius[v]);
-    }
-  }
-  return kept;
 }
 
 std::optional<Error> CheckOptions(const LayeredTetsOptions& options)
@@ -141,7 +61,6 @@ public:
 private:
   std::optional<Error> FillCore(const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds,
                                 Monitor& monitor);
-  void Improve(std::size_t firstCell, Monitor& monitor);
 
   const TriangleComplex& Surface;
   const LayeredTetsOptions& Options;
@@ -153,10 +72,11 @@ std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
                                      const std::vector<Id>& frontIds, Monitor& monitor)
 {
   TriangleComplex front = FrontOf(wall, columns);
+  front.layerHeight.clear(); // the middle points and the layers' own number say how high the core's tets are
   std::vector<Vec3> middle;
   if (this->Options.layers % 2 == 0)
   {
-    middle = MiddlePoints(wall, columns, front, this->Options, monitor);
+    middle = MiddlePoints(wall, columns, front, this->Options.layers, this->Options.anisotropy, monitor);
   }
   VolumeMesh core;
   SubMonitor part(monitor, 0.4, 0.9);
@@ -180,62 +100,6 @@ std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
                           wall.material, 0);
   }
   return std::nullopt;
-}
-
-/// Better tets across the seam of layers and core; the wall stays, and no edge may skip a layer.
-void Solid::Improve(std::size_t firstCell, Monitor& monitor)
-{
-  TetSet set;
-  std::vector<Id> local(this->Mesh.points.size(), -1);
-  std::vector<Id> global;
-  for (std::size_t c = firstCell; c < this->Mesh.types.size(); ++c)
-  {
-    std::array<Id, 4> tet;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      const Id p = this->Mesh.Cell(static_cast<Id>(c))[i];
-      if (local[U(p)] < 0)
-      {
-        local[U(p)] = static_cast<Id>(global.size());
-        global.push_back(p);
-        set.points.push_back(this->Mesh.points[U(p)]);
-        set.fixed.push_back(this->Mesh.layerIndex[U(p)] == 0 ? 1 : 0);
-        set.layerIndex.push_back(this->Mesh.layerIndex[U(p)]);
-      }
-      tet[i] = local[U(p)];
-    }
-    set.tets.push_back(tet);
-  }
-  ImproveTets(set, ImproveTetsOptions{}, monitor);
-  const int material = this->Mesh.materials[firstCell];
-  this->Mesh.types.resize(firstCell);
-  this->Mesh.offsets.resize(firstCell + 1);
-  this->Mesh.connectivity.resize(U(this->Mesh.offsets.back()));
-  this->Mesh.materials.resize(firstCell);
-  this->Mesh.layers.resize(firstCell);
-  for (const std::array<Id, 4>& tet : set.tets)
-  {
-    // The layer of a tet follows from its nodes: between layers k - 1 and k it is k, with a free node it is
-    // core.
-    int highest = 0;
-    bool core = false;
-    for (Id p : tet)
-    {
-      highest = std::max(highest, set.layerIndex[U(p)]);
-      core = core || set.layerIndex[U(p)] < 0;
-    }
-    const int columnLayers = LayersOfColumn(this->Options.layers);
-    const bool flat =
-      std::all_of(tet.begin(), tet.end(), [&](Id p) { return set.layerIndex[U(p)] == highest; });
-    const int layer = core || (flat && highest == columnLayers) ? 0 : std::max(1, highest);
-    this->Mesh.AddCell<4>(CellType::Tetrahedron,
-                          { global[U(tet[0])], global[U(tet[1])], global[U(tet[2])], global[U(tet[3])] },
-                          material, layer);
-  }
-  for (std::size_t p = 0; p < global.size(); ++p)
-  {
-    this->Mesh.points[U(global[p])] = set.points[p];
-  }
 }
 
 std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, LayersReport& report,
@@ -269,7 +133,8 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
     return error;
   }
   SubMonitor improving(monitor, 0.9, 1);
-  this->Improve(firstCell, improving);
+  const ImproveTetsReport improved = ImproveLayers(this->Mesh, firstCell, columnLayers, improving);
+  this->Layers.MarkLost(wall, *columns, improved.takenFromLayers, onSurface, report);
   return monitor.Cancelled() ? std::optional<Error>(Cancelled()) : std::nullopt;
 }
 

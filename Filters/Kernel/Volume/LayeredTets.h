@@ -25,9 +25,10 @@ struct LayersReport
   Id tets = 0;
   Id wedges = 0;
   Id pyramids = 0;
-  Id columns = 0;        ///< wall nodes that carry layers
-  Id thinnedColumns = 0; ///< columns thinner than asked
-  Id stoppedColumns = 0; ///< columns without layers
+  Id columns = 0;          ///< wall nodes that carry layers
+  Id thinnedColumns = 0;   ///< columns thinner than asked
+  Id stoppedColumns = 0;   ///< columns without layers
+  Id shortenedColumns = 0; ///< columns that lost a layer to the tets' quality
   std::vector<Vec3> stoppedPlaces;
   double leastQuality = 0;
 };

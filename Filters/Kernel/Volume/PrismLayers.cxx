@@ -4,7 +4,9 @@
 #include "LayerMesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <set>
 
 namespace lamina
 {
@@ -28,6 +30,59 @@ std::optional<Error> CheckOptions(const PrismLayersOptions& options)
     return InvalidOption("the thickness of all layers must lie in (0, 0.45] of the feature size, not " +
                          std::to_string(options.thickness));
   }
+  if (!(options.total >= 0 && options.firstHeight >= 0 && std::isfinite(options.total + options.firstHeight)))
+  {
+    return InvalidOption("the first height and the total thickness must be lengths, or 0 for none");
+  }
+  if (options.total > 0 && options.firstHeight > 0)
+  {
+    return InvalidOption(
+      "the first height and the total thickness are both given: one follows from the other "
+      "by the growth ratio");
+  }
+  return std::nullopt;
+}
+
+/// The neighbours named are there, and a length asked for fits somewhere.
+std::optional<Error> CheckWalls(const TriangleComplex& surface, const std::vector<int>& materials,
+                                const PrismLayersOptions& options)
+{
+  std::set<int> present;
+  double thickest = 0;
+  for (int material : materials)
+  {
+    for (const MaterialPair& pair : surface.materials)
+    {
+      if (SideOf(pair, material) != 0)
+      {
+        present.insert(pair.first == material ? pair.second : pair.first);
+      }
+    }
+    const Wall wall = MakeWall(surface, material);
+    for (double t : wall.thickness)
+    {
+      thickest = std::isfinite(t) ? std::max(thickest, t) : thickest;
+    }
+  }
+  for (int neighbour : options.neighbours)
+  {
+    if (present.count(neighbour) == 0)
+    {
+      std::string known;
+      for (int p : present)
+      {
+        known += (known.empty() ? "" : ", ") + std::to_string(p);
+      }
+      return InvalidOption("no fluid borders material " + std::to_string(neighbour) +
+                           ", on which prisms should grow, but " + known);
+    }
+  }
+  const double asked = std::max(options.total, options.firstHeight);
+  if (asked > thickest)
+  {
+    return InvalidOption("layers of a height of " + std::to_string(asked) +
+                         " fit nowhere: the largest feature size is " + std::to_string(thickest));
+  }
   return std::nullopt;
 }
 
@@ -39,6 +94,7 @@ void Append(const TriangleComplex& part, TriangleComplex& whole)
   {
     whole.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
   }
+  whole.layerHeight.insert(whole.layerHeight.end(), part.layerHeight.begin(), part.layerHeight.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
 }
 
@@ -70,15 +126,21 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
   {
     return *error;
   }
+  if (const auto error = CheckWalls(surface, *materials, options))
+  {
+    return *error;
+  }
   LayerMesh layers(surface, mesh);
   report.leastQuality = 1;
   for (std::size_t m = 0; m < materials->size(); ++m)
   {
     const double share = 1.0 / static_cast<double>(materials->size());
     SubMonitor part(monitor, share * static_cast<double>(m), share * static_cast<double>(m + 1));
-    const Wall wall = MakeWall(surface, (*materials)[m]);
-    const Result<Columns> columns =
-      GrowColumns(wall, { options.layers, options.growth, options.thickness, ColumnCells::Prisms }, part);
+    const Wall wall = MakeWall(surface, (*materials)[m], options.neighbours);
+    const Result<Columns> columns = GrowColumns(wall,
+                                                { options.layers, options.growth, options.thickness,
+                                                  ColumnCells::Prisms, options.total, options.firstHeight },
+                                                part);
     if (!columns)
     {
       return columns.GetError();

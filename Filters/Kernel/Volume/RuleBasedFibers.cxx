@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RuleBasedFibers.h"
 
-#include "../Mesh/CellFaces.h"
 #include "../Search/TriangleTree.h"
+#include "PatchChoice.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <set>
 
 namespace lamina
 {
@@ -36,54 +35,6 @@ Vec3 MiddleOf(const VolumeMesh& mesh, Id cell)
     sum += mesh.points[Index(mesh.Cell(cell)[k])];
   }
   return sum * (1.0 / n);
-}
-
-/// The triangles of the named patches, or of all of a kind; quads in halves.
-Result<std::vector<Triangle>> TrianglesOf(const VolumeMesh& mesh, const MeshPatches& patches,
-                                          const std::vector<std::string>& names, PatchKind kind,
-                                          const std::vector<int>& materials, const char* what)
-{
-  std::set<int> chosen;
-  for (std::size_t p = 0; p < patches.patches.size(); ++p)
-  {
-    const MeshPatch& patch = patches.patches[p];
-    const bool isOurs = Contains(materials, patch.pair.first) || Contains(materials, patch.pair.second);
-    // Between two of the materials there is no wall.
-    const bool isInside = Contains(materials, patch.pair.first) && Contains(materials, patch.pair.second);
-    const bool isNamed = std::find(names.begin(), names.end(), patch.name) != names.end();
-    if (names.empty() ? patch.kind == kind && isOurs && !isInside : isNamed)
-    {
-      chosen.insert(static_cast<int>(p));
-    }
-  }
-  for (const std::string& name : names)
-  {
-    if (std::none_of(patches.patches.begin(), patches.patches.end(),
-                     [&](const MeshPatch& patch) { return patch.name == name; }))
-    {
-      return InvalidOption(std::string(what) + ": there is no patch " + name +
-                           "; see the table of patches of Fluid-Solid Mesh");
-    }
-  }
-  if (chosen.empty())
-  {
-    return InvalidInput(std::string("there is no ") + what +
-                        ": name the patches that are it, or choose other materials");
-  }
-  std::vector<Triangle> triangles;
-  for (const PatchFace& face : patches.faces)
-  {
-    if (chosen.count(face.patch) == 0)
-    {
-      continue;
-    }
-    const CellFace c = FaceOf(mesh, face.cell, face.face);
-    for (std::size_t k = 1; k < (c.IsQuad() ? 3u : 2u); ++k)
-    {
-      triangles.push_back({ { c.corners[0], c.corners[k], c.corners[k + 1] } });
-    }
-  }
-  return triangles;
 }
 
 /// The direction in which the cells of the materials extend farthest; it points to the larger z (or y, or x).
@@ -142,13 +93,13 @@ Result<FiberReport> ComputeFibers(const VolumeMesh& mesh, const MeshPatches& pat
     }
   }
   const auto endo =
-    TrianglesOf(mesh, patches, options.endocardium, PatchKind::Interface, options.materials, "endocardium");
+    ChoosePatches(mesh, patches, options.endocardium, PatchKind::Interface, options.materials, "endocardium");
   if (!endo)
   {
     return endo.GetError();
   }
   const auto epi =
-    TrianglesOf(mesh, patches, options.epicardium, PatchKind::Wall, options.materials, "epicardium");
+    ChoosePatches(mesh, patches, options.epicardium, PatchKind::Wall, options.materials, "epicardium");
   if (!epi)
   {
     return epi.GetError();

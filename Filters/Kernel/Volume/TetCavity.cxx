@@ -30,6 +30,12 @@ bool Has(const TetCavity::Tet& tet, Id point)
 
 } // namespace
 
+double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+  constexpr double sineWeight = 1.44;
+  return std::min(TetQuality(a, b, c, d), sineWeight * TetLeastSine(a, b, c, d));
+}
+
 TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
   : Set(set)
   , Slot(set.points.size(), -1)
@@ -70,7 +76,7 @@ const std::vector<Id>& TetCavity::TetsOf(Id point) const
 double TetCavity::Quality(const Tet& c) const
 {
   const auto& p = this->Set.points;
-  return TetQuality(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
+  return ShapeOfTet(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
 }
 
 double TetCavity::LeastOf(const std::vector<Id>& tets) const
@@ -125,6 +131,17 @@ TetCavity::Done TetCavity::Reconnect(Id tet)
 void TetCavity::Apply(const Change& change)
 {
   const int group = this->Set.groups[Index(change.out.front())];
+  if (change.kind == Done::PointAdded)
+  {
+    this->Set.points.push_back(change.place);
+    this->Set.fixed.push_back(0);
+    if (!this->Set.layerIndex.empty())
+    {
+      this->Set.layerIndex.push_back(-1);
+    }
+    this->Slot.push_back(static_cast<Id>(this->Stars.size()));
+    this->Stars.emplace_back();
+  }
   for (Id t : change.out)
   {
     for (Id p : this->Set.tets[Index(t)])
@@ -174,7 +191,7 @@ void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
     {
       return;
     }
-    Change change{ { tet, t }, {}, std::numeric_limits<double>::infinity(), Done::FaceFlipped };
+    Change change{ { tet, t }, {}, std::numeric_limits<double>::infinity(), Done::FaceFlipped, {} };
     for (std::size_t k = 0; k < 3; ++k)
     {
       // The face turns counter-clockwise seen from e.

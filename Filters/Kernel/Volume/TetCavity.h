@@ -4,8 +4,18 @@
 
 #include "ImproveTets.h"
 
+#include <functional>
+
 namespace lamina
 {
+
+/// What improvement strives for: the lesser of 3r/R and the least sine of a dihedral angle times a factor
+/// that makes 8 degrees count as much as 3r/R of 0.2.
+double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// From `start` uphill to where the score is best near it, with steps of `step` at first; score() is never
+/// called last with the answer.
+Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score);
 
 /// The surroundings of some tets of a set, open to reconnection. Tets taken out keep their place with -1 as
 /// first node, new ones are appended.
@@ -17,18 +27,26 @@ public:
   {
     Nothing,
     EdgeRemoved,
-    FaceFlipped
+    FaceFlipped,
+    PointRemoved,
+    PointAdded
   };
 
   /// Only the points of the tets `around` get their tets known.
   TetCavity(TetSet& set, const std::vector<Id>& around);
 
+  /// 3r/R, or what the sharpest or flattest dihedral angle allows if that is less: see ShapeOfTet().
   double Quality(const Tet& tet) const;
   /// The best of removing one of the tet's edges or flipping one of its faces, if that raises the least
   /// quality.
   Done Reconnect(Id tet);
   /// Moves the tet's free points uphill; the number that moved.
   Id MovePoints(Id tet);
+  /// Draws one of the tet's free points into another of its points, or puts a point into a cavity round it,
+  /// if that raises the least quality. Points of layers are drawn into points of their own layer only, unless
+  /// `acrossLayers`; `taken` gets them then.
+  Done Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken);
+  Done Insert(Id tet);
 
 private:
   /// Tets to take out, those to put in, and the least quality of the new ones.
@@ -38,7 +56,19 @@ private:
     std::vector<Tet> in;
     double quality = -1;
     Done kind = Done::Nothing;
+    Vec3 place; ///< of the point that an insertion adds
   };
+  /// The faces of a set of tets towards the rest, counter-clockwise seen from outside.
+  struct Shell;
+  bool FindCavity(Id tet, const Vec3& place, Shell& shell) const;
+  bool KeepsPoints(const Shell& shell) const;
+  std::vector<Vec3> PlacesIn(Id tet) const;
+  Id Across(const Triangle& face, Id tet) const;
+  bool MayRemove(Id point, Id into, bool acrossLayers) const;
+  int LayerOf(Id point) const
+  {
+    return this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[static_cast<std::size_t>(point)];
+  }
   void RemoveEdge(Id tet, Id a, Id b, Change& best) const;
   void FlipFace(Id tet, std::size_t opposite, Change& best) const;
   /// The best tets instead of a ring of them round edge (a, b), and their least quality; none if not above

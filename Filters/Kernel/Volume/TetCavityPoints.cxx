@@ -62,6 +62,32 @@ bool TetCavity::IsInterior(Id point) const
     });
 }
 
+Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score)
+{
+  // A pattern search: the least quality of a star is not smooth, so slopes tell little.
+  Vec3 best = start;
+  double highest = score(start);
+  for (int halvings = 0; halvings < 7;)
+  {
+    bool isBetter = false;
+    for (int k = 0; k < 6; ++k)
+    {
+      Vec3 to = best;
+      to[k / 2] += k % 2 == 0 ? step : -step;
+      const double now = score(to);
+      if (now > highest + LeastGain)
+      {
+        highest = now;
+        best = to;
+        isBetter = true;
+      }
+    }
+    halvings += isBetter ? 0 : 1;
+    step *= isBetter ? 1 : 0.5;
+  }
+  return best;
+}
+
 bool TetCavity::MovePoint(Id point)
 {
   const auto& star = this->TetsOf(point);
@@ -78,36 +104,22 @@ bool TetCavity::MovePoint(Id point)
     }
   }
   centre = centre * (1.0 / (4.0 * static_cast<double>(star.size())));
-  const double before = this->LeastOf(star);
-  double least = before;
-  const auto attempt = [&](const Vec3& to)
+  const auto score = [&](const Vec3& to)
   {
-    const Vec3 from = place;
     place = to;
-    const double now = this->LeastOf(star);
-    if (now > least + LeastGain)
-    {
-      least = now;
-      return true;
-    }
-    place = from;
-    return false;
+    return this->LeastOf(star);
   };
-  attempt(centre) || attempt(0.5 * (start + centre));
-  // A pattern search: the least quality of a star is not smooth, so slopes tell little.
-  double step = 0.3 * edge;
-  for (int halvings = 0; halvings < 7;)
+  const double before = score(start);
+  Vec3 first = start;
+  for (const Vec3& to : { centre, 0.5 * (start + centre) })
   {
-    bool isBetter = false;
-    for (int k = 0; k < 6; ++k)
+    if (score(to) > before + LeastGain)
     {
-      Vec3 to = place;
-      to[k / 2] += k % 2 == 0 ? step : -step;
-      isBetter = attempt(to) || isBetter;
+      first = to;
+      break;
     }
-    halvings += isBetter ? 0 : 1;
-    step *= isBetter ? 1 : 0.5;
   }
+  place = SearchBest(first, 0.3 * edge, score);
   std::vector<Tet> tets;
   for (Id t : star)
   {

@@ -6,7 +6,22 @@
 namespace lamina
 {
 
-Wall MakeWall(const TriangleComplex& surface, int material)
+namespace
+{
+
+bool CarriesLayers(const TriangleComplex& surface, Id triangle, int material,
+                   const std::vector<int>& neighbours)
+{
+  const MaterialPair& pair = surface.materials[static_cast<std::size_t>(triangle)];
+  const int other = pair.first == material ? pair.second : pair.first;
+  const bool isChosen =
+    neighbours.empty() || std::find(neighbours.begin(), neighbours.end(), other) != neighbours.end();
+  return isChosen && !IsOpening(surface, surface.Patch(triangle));
+}
+
+} // namespace
+
+Wall MakeWall(const TriangleComplex& surface, int material, const std::vector<int>& neighbours)
 {
   Wall wall;
   wall.material = material;
@@ -19,7 +34,7 @@ Wall MakeWall(const TriangleComplex& surface, int material)
       continue;
     }
     Triangle corners = surface.triangles[t];
-    const bool opening = IsOpening(surface, surface.Patch(static_cast<Id>(t)));
+    const bool isBare = !CarriesLayers(surface, static_cast<Id>(t), material, neighbours);
     for (Id& p : corners)
     {
       Id& n = number[static_cast<std::size_t>(p)];
@@ -31,7 +46,7 @@ Wall MakeWall(const TriangleComplex& surface, int material)
         wall.fixed.push_back(0);
       }
       p = n;
-      wall.fixed[static_cast<std::size_t>(p)] |= opening ? 1 : 0;
+      wall.fixed[static_cast<std::size_t>(p)] |= isBare ? 1 : 0;
     }
     if (side > 0) // the triangle's normal leaves the material
     {

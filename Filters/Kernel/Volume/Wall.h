@@ -16,10 +16,11 @@ struct Wall
   std::vector<Id> surfacePoints;    ///< id in the surface, a point
   std::vector<Id> surfaceTriangles; ///< id in the surface, a triangle
   std::vector<double> thickness;    ///< of the material at each point; may be empty
-  std::vector<char> fixed;          ///< points of openings: no layers grow there
+  std::vector<char> fixed;          ///< points of openings and walls not chosen: no layers grow there
   Lists star;
 };
 
-Wall MakeWall(const TriangleComplex& surface, int material);
+/// With `neighbours` layers grow only towards those materials (0 is the outside); empty: towards all.
+Wall MakeWall(const TriangleComplex& surface, int material, const std::vector<int>& neighbours = {});
 
 } // namespace lamina
