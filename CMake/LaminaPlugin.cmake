@@ -1,0 +1,23 @@
+# The rooms as a plugin of ParaView.
+find_package(ParaView 5.11 REQUIRED
+  COMPONENTS RemotingCore RemotingServerManager VTKExtensionsExtraction WrapClientServer)
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersExtraction IOCore IOXML nlohmannjson WrappingPythonCore)
+if(LAMINA_BUILD_TESTING)
+  find_package(VTK REQUIRED COMPONENTS TestingCore FiltersSources)
+endif()
+lamina_find_rooms(Common Segmentation Surface Sizing Volume Mesh IO)
+
+# Plugin/paraview.plugin links to the manifest in the root: given the latter, ParaView would add the root to itself.
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON)
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  TARGET LaminaPlugins
+  LIBRARY_DESTINATION "lib"
+  LIBRARY_SUBDIRECTORY "paraview-5.11/plugins"
+  PLUGINS_COMPONENT runtime
+  INSTALL_HEADERS OFF
+  DISABLE_XML_DOCUMENTATION ON)
