@@ -99,6 +99,7 @@ int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inpu
     SetVectors(output->GetCellData(), lamina::names::Fibers, field.fibers);
     SetVectors(output->GetCellData(), lamina::names::Sheets, field.sheets);
     lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::WallDepth, field.depth);
+    output->GetCellData()->SetActiveScalars(lamina::names::WallDepth);
     lamina::AttachReport(
       output, "RuleBasedFibers",
       lamina::Report()
