@@ -3,7 +3,7 @@
 #   lib/paraview-5.11/plugins/Lamina/     the plugin, lamina-tetgen, the Python package (installed where they are made)
 #   lib/paraview-5.11/plugins/lamina.plugins.xml   tells ParaView to load it at the start
 #   bin/lamina-mesh, bin/lamina-audit, bin/lamina-paraview
-#   share/lamina/                         the scripts behind them, the macro, the colours
+#   share/lamina/                         the scripts behind them, and the macro
 #   share/doc/lamina/                     the pages
 # Libraries find each other through $ORIGIN: nothing else names a place.
 # VTK's macros install the static libraries of the rooms as well, which are no use to anyone.
@@ -25,6 +25,7 @@ install(PROGRAMS Utilities/lamina-audit Utilities/lamina-paraview DESTINATION bi
 install(PROGRAMS Utilities/mesh.sh DESTINATION bin RENAME lamina-mesh COMPONENT runtime)
 install(FILES Utilities/lamina-run.sh DESTINATION share/lamina COMPONENT runtime)
 install(DIRECTORY Examples/ DESTINATION share/lamina/scripts COMPONENT runtime FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY Plugin/Macros/ DESTINATION share/lamina/macros COMPONENT runtime)
 install(DIRECTORY docs/ DESTINATION share/doc/lamina COMPONENT runtime)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/lamina COMPONENT runtime)
 install(FILES CMake/debian/copyright DESTINATION share/doc/lamina COMPONENT runtime)

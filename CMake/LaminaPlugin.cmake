@@ -8,7 +8,7 @@ if(LAMINA_BUILD_TESTING)
 endif()
 lamina_find_rooms(Common Segmentation Surface Sizing Volume Mesh IO)
 
-option(LAMINA_WITH_WINDOW "Build LaminaWindow, the plugin of icons and menus for ParaView's window (Qt Core)" ${PARAVIEW_USE_QT})
+option(LAMINA_WITH_WINDOW "Build LaminaWindow, the plugin of icons for ParaView's window (Qt Core)" ${PARAVIEW_USE_QT})
 set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
 if(LAMINA_WITH_WINDOW)
   list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Window/paraview.plugin")

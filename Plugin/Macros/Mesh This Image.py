@@ -12,6 +12,7 @@ from paraview.simple import (ColorBy, CoreTetrahedra, Delete, ExtractCellsByRegi
 
 MOST_LABELS = 32
 BINS = 256
+MOST_EDGES = 500_000  # cells; the edges of more are but a dark cloud
 
 
 def say(text):
@@ -114,9 +115,10 @@ def show(audit, image):
     hide_widgets = getattr(simple, "HideInteractiveWidgets", None) or simple.Hide3DWidgets  # its name since 5.12, and before
     hide_widgets(proxy=half.IntersectWith)
     view = GetActiveViewOrCreate("RenderView")
-    Hide(image, view)
+    for port in range(image.SMProxy.GetNumberOfOutputPorts()):
+        Hide(OutputPort(image, port), view)
     shown = Show(half, view)
-    shown.Representation = "Surface With Edges"
+    shown.Representation = "Surface With Edges" if audit.GetDataInformation().GetNumberOfCells() < MOST_EDGES else "Surface"
     shown.EdgeColor = [0.15, 0.15, 0.2]
     ColorBy(shown, ("CELLS", "MaterialIds"))
     view.CameraFocalPoint = half.IntersectWith.Origin

@@ -13,13 +13,13 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
-SECONDS = 240
+SECONDS = 500
 WINDOW = "pqClientMainWindow"
 
 # What the mouse does: object, command, arguments, as ParaView's own recorder writes it.
 EVENTS = (
     (f"{WINDOW}/menubar", "activate", "menuSources"),
-    (f"{WINDOW}/menubar/menuSources", "activate", "&Lamina"),
+    (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
     (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
     (f"{WINDOW}/propertiesDock/propertiesPanel/Accept", "activate", ""),
     (f"{WINDOW}/menubar", "activate", "menu_Macros"),
@@ -62,7 +62,7 @@ def prepare(home):
 
 
 def screenshot(path):
-    subprocess.run(["import", "-window", "root", path], check=True, timeout=60)
+    subprocess.run(["import", "-window", "root", "-trim", path], check=True, timeout=60)
     check(os.path.getsize(path) > 10000, f"{path} is empty")
 
 
