@@ -16,6 +16,7 @@ def main():
     parser.add_argument("--open", action="store_true", help="great vessels leave through the image's border")
     options = parser.parse_args()
     sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    from lamina_files import prepare
     from lamina_pipeline import Failed, Pipeline, load_plugin, simple
     pipeline = Pipeline()
     try:
@@ -27,6 +28,7 @@ def main():
     except Failed as error:
         sys.exit(f"heart_phantom: error: {error}")
     writer = vtkXMLImageDataWriter()
+    prepare(writer)
     writer.SetFileName(options.output + ".part")
     writer.SetInputData(labels if options.labels else image)
     if not writer.Write() or writer.GetErrorCode():

@@ -103,7 +103,7 @@ def formats(text):
 
 def parse(arguments):
     positive = real(0, False, "it must be positive")
-    p = Parser(prog="mesh.sh", description="From one 3-D image to one fluid-solid mesh.", allow_abbrev=False)
+    p = Parser(prog=os.environ.get("LAMINA_COMMAND", "mesh.sh"), description="From one 3-D image to one fluid-solid mesh.", allow_abbrev=False)
     p.add_argument("input", help=".vti .mha .mhd .nrrd .nhdr .nii .nii.gz")
     p.add_argument("--output", required=True, metavar="DIR", help="folder of the results")
     p.add_argument("--labels", action="store_true", help="INPUT holds material ids already")

@@ -55,7 +55,8 @@ def read(path):
     reader.SetFileName(path)
     reader.Update()
     if errors or reader.GetErrorCode() or reader.GetOutput().GetNumberOfPoints() == 0:
-        fail(f"{path} cannot be read, or is empty", 3)
+        from lamina_files import EXPAT, appended_works
+        fail(f"{path} cannot be read, or is empty" + ("" if appended_works() else f"; {EXPAT}"), 3)
     return reader.GetOutput()
 
 

@@ -451,6 +451,9 @@ def _read_vti(path):
     image = vtkImageData()
     image.ShallowCopy(reader.GetOutput())
     if errors or reader.GetErrorCode() or image.GetNumberOfPoints() == 0:
+        from lamina_files import EXPAT, appended_works
+        if b"<AppendedData" in _read_bytes(path) and not appended_works():
+            raise ImageError(f"{path}: {EXPAT}")
         raise ImageError(f"{path}: damaged: VTK's reader could not read it; write or copy the file again")
     return _single_array(path, image)
 

@@ -3,6 +3,7 @@
 import glob
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -19,6 +20,7 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
+from lamina_files import prepare
 from lamina_guard import SCRATCH, STOPPED
 from lamina_images import ImageError, read_image, scalars_of
 
@@ -38,15 +40,27 @@ def peak_memory():
 
 
 def load_plugin():
-    """Load the plugin that LAMINA_PLUGIN names, or the one built in this source tree."""
+    """Load the plugin that LAMINA_PLUGIN names, or the one of this source tree or installed tree."""
     here = os.path.dirname(os.path.abspath(__file__))
     path = os.environ.get("LAMINA_PLUGIN")
     if not path:
-        found = glob.glob(os.path.join(here, "..", "build", "release", "lib", "**", "Lamina.so"), recursive=True)
-        path = found[0] if found else None
+        end = os.path.join("paraview-*", "plugins", "Lamina", "Lamina.so")
+        places = ((here, "..", "build", "release", "lib"), (here, "..", "..", "..", "lib"), (here, "..", "..", "..", "lib", "*"))
+        path = next((found for place in places for found in glob.glob(os.path.join(*place, end))), None)
     if not path or not os.path.isfile(path):
         raise Failed("plugin", "Lamina.so is not there; build it: cmake --preset release && cmake --build --preset release")
+    check_version(path)
     simple.LoadPlugin(os.path.abspath(path), remote=False, ns=vars(simple))
+
+
+def check_version(path):
+    """A plugin loads in the one version of ParaView that it was built for; its folder tells which."""
+    built = re.search(r"paraview-(\d+\.\d+)", os.path.abspath(path))
+    version = simple.GetParaViewVersion()
+    running = f"{version.major}.{version.minor}"
+    if built and built.group(1) != running:
+        raise Failed("plugin", f"it was built for ParaView {built.group(1)}, this is ParaView {running}: start the pvpython of "
+                     f"{built.group(1)}, or build Lamina against {running}")
 
 
 class Pipeline:
@@ -263,8 +277,7 @@ class Pipeline:
         writer.AddObserver("ErrorEvent", lambda *_: failures.append(1))
         writer.SetFileName(path)
         writer.SetInputData(data)
-        writer.SetDataModeToAppended()
-        writer.EncodeAppendedDataOff()
+        prepare(writer)
         written = writer.Write()
         if not written or failures or writer.GetErrorCode() or not os.path.isfile(path):
             raise Failed("Writing", f"{name} could not be written; is the disk full?")

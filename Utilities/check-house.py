@@ -39,6 +39,8 @@ SHELL_LENGTH = 200
 SKIPPED_FOLDERS = {".git", "build", "demo-output", "__pycache__"}
 ABSOLUTE = re.compile(r"""["'(=\s](/(?:home|root|usr|opt|tmp|work|mnt|var|data)/[\w./-]+)""")
 ABSOLUTE_ALLOWED = ("/usr/bin/env", "/usr/bin/python3")
+# Their places are those of a clean Debian that they make.
+IN_A_CLEAN_DEBIAN = {"clean-debian.sh", "test-package.sh", "test-plain-vtk.sh"}
 
 
 def files(root, folder, endings):
@@ -163,12 +165,53 @@ def check_proxies(root):
             yield f"{path}: {len(visible)} visible properties, at most 7"
 
 
+def numbers(prop, attribute):
+    return [float(word) for word in (prop.get(attribute) or "").split()]
+
+
+def outside_of(domain, values):
+    """The values that a domain does not allow."""
+    if domain.tag == "EnumerationDomain":
+        allowed = [float(entry.get("value")) for entry in domain.iter("Entry")]
+        return [value for value in values if value not in allowed]
+    if domain.tag == "BooleanDomain":
+        return [value for value in values if value not in (0, 1)]
+    least, most = float(domain.get("min") or "-inf"), float(domain.get("max") or "inf")
+    return [value for value in values if not least <= value <= most]
+
+
+def check_domains(root):
+    """Every number in the panel has a domain and a default that lies in it; every stage stands in the menu with an icon."""
+    for path, proxy, properties in xml_properties(root):
+        for prop in properties:
+            if prop.tag not in ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty"):
+                continue
+            if prop.get("information_only") == "1":
+                continue
+            name = prop.get("name")
+            domains = [child for child in prop if child.tag.endswith("Domain")]
+            if not domains:
+                yield f"{path}: property {name} has no domain"
+            defaults = numbers(prop, "default_values")
+            if prop.get("repeat_command") != "1" and len(defaults) != int(prop.get("number_of_elements", 1)):
+                yield f"{path}: property {name} has {len(defaults)} default values for {prop.get('number_of_elements')} elements"
+            for domain in domains:
+                if domain.tag != "BoundsDomain" and outside_of(domain, defaults):
+                    yield f"{path}: the default of {name} is outside its domain: {outside_of(domain, defaults)}"
+        menu = proxy.find("Hints/ShowInMenu")
+        if proxy.tag != "WriterProxy":
+            icon = menu.get("icon", "") if menu is not None and menu.get("category") == "Lamina" else ""
+            file = root / "Plugin" / "Window" / "Icons" / icon.rsplit("/", 1)[-1]
+            if not icon.startswith(":/Lamina/Icons/") or not file.is_file():
+                yield f"{path}: {proxy.get('name')} is not in the menu Lamina with an icon of Plugin/Window/Icons"
+
+
 def check_absolute_paths(root):
     """No file names a place of one machine."""
     endings = CPP + (".py", ".sh", ".xml", ".txt", ".cmake", ".json", ".in")
     for folder in ("Filters", "Plugin", "Programs", "Testing", "Utilities", "Examples", "CMake"):
         for path in files(root, folder, endings):
-            if path.name == pathlib.Path(__file__).name:
+            if path.name == pathlib.Path(__file__).name or path.name in IN_A_CLEAN_DEBIAN:
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 for found in ABSOLUTE.findall(line):
@@ -204,7 +247,7 @@ def check_type_names(root):
                 yield f"{path}:{number}: {name} is also defined in {first[name]}: rename one, or hide it"
 
 
-CHECKS = [check_kernel_includes, check_kernel_without_vtk, check_shell_includes, check_array_names, check_proxies,
+CHECKS = [check_kernel_includes, check_kernel_without_vtk, check_shell_includes, check_array_names, check_proxies, check_domains,
           check_absolute_paths, check_licence_lines, check_type_names]
 
 
@@ -231,6 +274,9 @@ PLANTED = [
     ("check_array_names", "Filters/Sizing/vtkFeatureSize.cxx", 'auto a = d->GetArray("FeatureSize");\n', None),
     ("check_proxies", "Plugin/Proxies/FeatureSize.xml", r"(<DoubleRangeDomain[^>]*>\s*)<Documentation>[^<]*<", r"\1<Documentation><"),
     ("check_proxies", "Plugin/Proxies/FeatureSize.xml", r'label="Gradient"', r'label="Slope"'),
+    ("check_domains", "Plugin/Proxies/FeatureSize.xml", r'(<IntRangeDomain name="range" )min="1"/>', r'\1min="7"/>'),
+    ("check_domains", "Plugin/Proxies/FeatureSize.xml", r'<IntRangeDomain name="range" min="1"/>', ""),
+    ("check_domains", "Plugin/Proxies/FeatureSize.xml", r'Icons/FeatureSize', r'Icons/Missing'),
     ("check_absolute_paths", "Filters/Sizing/vtkFeatureSize.cxx", 'auto p = "/home/someone/mesh.vtu";\n', None),
     ("check_type_names", "Filters/Kernel/Base/Types.h", "struct Error\n{\n};\n", None),
     ("check_licence_lines", "Filters/Sizing/vtkFeatureSize.cxx", r"// SPDX[^\n]*\n", "\n\n"),
@@ -242,7 +288,7 @@ def self_test(root):
     for check, name, text, replacement in PLANTED:
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder) / "copy"
-            for part in ("Filters", "Plugin/Proxies"):
+            for part in ("Filters", "Plugin"):
                 shutil.copytree(root / part, copy / part)
             path = copy / name
             old = path.read_text(encoding="utf-8")

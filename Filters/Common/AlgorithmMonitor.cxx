@@ -27,6 +27,18 @@ int WantedThreads()
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Whether a filter upstream or downstream was stopped, where VTK (9.2 and later) tells.
+template<typename Algorithm>
+auto StoppedElsewhere(Algorithm* self, int) -> decltype(self->CheckAbort())
+{
+  return self->CheckAbort();
+}
+template<typename Algorithm>
+bool StoppedElsewhere(Algorithm*, long)
+{
+  return false;
+}
+
 } // namespace
 
 AlgorithmMonitor::AlgorithmMonitor(vtkAlgorithm* self)
@@ -62,7 +74,7 @@ void AlgorithmMonitor::Progress(double fraction, const char* what)
 bool AlgorithmMonitor::Cancelled()
 {
   this->Tell();
-  this->Stop = this->Stop || this->Self->GetAbortExecute() || this->Self->CheckAbort();
+  this->Stop = this->Stop || this->Self->GetAbortExecute() || StoppedElsewhere(this->Self, 0);
   return this->Stop;
 }
 

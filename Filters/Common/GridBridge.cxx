@@ -119,6 +119,7 @@ void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output)
   SetOrRemove<vtkIntArray>(output->GetCellData(), names::LayerIds, mesh.layers);
   SetOrRemove<vtkIntArray>(output->GetPointData(), names::LayerIndex, mesh.layerIndex);
   SetOrRemove<vtkIdTypeArray>(output->GetPointData(), names::InterfaceNodeIds, mesh.interfaceNodeIds);
+  output->GetCellData()->SetActiveScalars(names::MaterialIds);
 }
 
 void WriteNodeIds(vtkUnstructuredGrid* output)

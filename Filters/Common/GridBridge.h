@@ -22,7 +22,8 @@ enum class WithoutMaterials
 /// LayerIndex and InterfaceNodeIds -1.
 Result<VolumeMesh> ReadGrid(vtkUnstructuredGrid* input, WithoutMaterials without = WithoutMaterials::Refuse);
 
-/// Give `output` the mesh's points, cells and arrays.
+/// Give `output` the mesh's points, cells and arrays. MaterialIds become the active scalars, which ParaView
+/// shows.
 void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output);
 /// Number the points of a grid from 0 as GlobalNodeIds.
 void WriteNodeIds(vtkUnstructuredGrid* output);

@@ -22,6 +22,7 @@ Result<TriangleComplex> ReadSideSurface(vtkPolyData* input, Monitor& monitor);
 
 /// Give `output` the surface's points and triangles, its arrays, and take away arrays of the contract it does
 /// not have. Other arrays of `output` stay: fill it by ShallowCopy from the input first if they still fit.
+/// ParaView shows what is active: FeatureSize, where it is known, else BoundaryLabels.
 void WriteSurface(const TriangleComplex& surface, vtkPolyData* output);
 
 /// Put LayersAchieved and LayerFraction on the triangles.

@@ -103,6 +103,8 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   WriteCurvatures(surface, points);
   WriteThickness(surface, output);
   WritePatchNames(surface, output);
+  cells->SetActiveScalars(names::BoundaryLabels);
+  points->SetActiveScalars(surface.featureSize.empty() ? nullptr : names::FeatureSize);
 }
 
 void WriteLayers(const std::vector<int>& achieved, const std::vector<double>& fraction, vtkPolyData* output)

@@ -196,6 +196,7 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     vtkCellData* cells = output->GetCellData();
     lamina::SetOrRemove<vtkDoubleArray>(cells, lamina::names::MeshQuality, audit->marks.quality);
     lamina::SetOrRemove<vtkUnsignedCharArray>(cells, lamina::names::MeshingFlags, audit->marks.flags);
+    cells->SetActiveScalars(lamina::names::MeshQuality);
     lamina::FillTable(*audit, table);
     this->Passed = audit->report.Passed();
     this->ReportText = lamina::DescribeAudit(*audit).Json();

@@ -3,8 +3,7 @@
 
 #include "EditText.h"
 
-#include <vtk_nlohmannjson.h>
-#include VTK_NLOHMANN_JSON(json.hpp)
+#include "Json.h"
 
 #include <cstdio>
 #include <fstream>
@@ -15,8 +14,6 @@ namespace lamina
 
 namespace
 {
-
-using Json = nlohmann::json;
 
 /// The head of a file; a later layout would count on.
 constexpr const char* Format = "Lamina voxel edits";

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EditText.h"
 
-#include <vtk_nlohmannjson.h>
-#include VTK_NLOHMANN_JSON(json.hpp)
+#include "Json.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,8 +11,6 @@ namespace lamina
 
 namespace
 {
-
-using Json = nlohmann::json;
 
 /// Runs of an edit that does not say its image's size: a slip of the pen must not fill the memory.
 constexpr double MostIds = 1 << 28;

@@ -9,12 +9,19 @@
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPVExtractSelection.h>
 #include <vtkPointData.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 
 #include <string>
+
+#if VTK_MODULE_ENABLE_ParaView_VTKExtensionsExtraction
+#include <vtkPVExtractSelection.h>
+using Extraction = vtkPVExtractSelection; // knows the queries of ParaView's Find Data as well
+#else
+#include <vtkExtractSelection.h>
+using Extraction = vtkExtractSelection;
+#endif
 
 namespace lamina
 {
@@ -67,7 +74,7 @@ void KeepMessage(vtkObject*, unsigned long, void* client, void* message)
 }
 
 /// Which points, or which cells, are selected: an array on the output of `extract`.
-Result<vtkDataSet*> Evaluate(vtkImageData* image, vtkSelection* selection, vtkPVExtractSelection* extract)
+Result<vtkDataSet*> Evaluate(vtkImageData* image, vtkSelection* selection, Extraction* extract)
 {
   std::string message;
   vtkNew<vtkCallbackCommand> keep;
@@ -119,7 +126,7 @@ Result<std::vector<Id>> SelectedVoxels(vtkImageData* image, vtkSelection* select
       return good.GetError();
     }
   }
-  vtkNew<vtkPVExtractSelection> extract;
+  vtkNew<Extraction> extract;
   const Result<vtkDataSet*> inside = Evaluate(image, selection, extract);
   if (!inside)
   {

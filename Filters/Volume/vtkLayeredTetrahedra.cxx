@@ -4,6 +4,7 @@
 #include "AlgorithmMonitor.h"
 #include "GridBridge.h"
 #include "LayerReport.h"
+#include "MeshArrayNames.h"
 #include "Programs.h"
 #include "Report.h"
 #include "Stage.h"
@@ -12,6 +13,7 @@
 #include "Mesh/Adjacency.h"
 #include "Volume/LayeredTets.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -126,6 +128,7 @@ int vtkLayeredTetrahedra::RequestData(vtkInformation*, vtkInformationVector** in
       return report.GetError();
     }
     lamina::WriteGrid(mesh, tets);
+    tets->GetCellData()->SetActiveScalars(lamina::names::LayerIds);
     lamina::WriteLayers(layers.achieved, layers.fraction, walls);
     lamina::AttachReport(tets, "LayeredTetrahedra", lamina::DescribeLayers(*report));
     lamina::WarnOfStoppedColumns(this, *report);

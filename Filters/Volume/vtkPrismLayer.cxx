@@ -4,6 +4,7 @@
 #include "AlgorithmMonitor.h"
 #include "GridBridge.h"
 #include "LayerReport.h"
+#include "MeshArrayNames.h"
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
@@ -11,6 +12,7 @@
 #include "Mesh/Adjacency.h"
 #include "Volume/PrismLayers.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -122,6 +124,7 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
       return report.GetError();
     }
     lamina::WriteGrid(mesh, prisms);
+    prisms->GetCellData()->SetActiveScalars(lamina::names::LayerIds);
     lamina::WriteSurface(front, inner);
     lamina::WriteLayers(layers.achieved, layers.fraction, walls);
     lamina::AttachReport(prisms, "PrismLayer", lamina::DescribeLayers(*report));

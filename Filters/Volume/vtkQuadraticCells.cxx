@@ -133,6 +133,7 @@ int vtkQuadraticCells::RequestData(vtkInformation*, vtkInformationVector** input
     }
     WriteQuadratic(*mesh, nodes, output);
     output->GetCellData()->PassData(input->GetCellData());
+    output->GetCellData()->SetActiveScalars(lamina::names::MaterialIds);
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
     lamina::AttachReport(output, "QuadraticCells",
                          lamina::Report()

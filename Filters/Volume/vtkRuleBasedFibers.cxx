@@ -79,6 +79,7 @@ int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inpu
     lamina::SetOrRemoveVectors(output->GetCellData(), lamina::names::Fibers, field.fibers);
     lamina::SetOrRemoveVectors(output->GetCellData(), lamina::names::Sheets, field.sheets);
     lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::WallDepth, field.depth);
+    output->GetCellData()->SetActiveScalars(lamina::names::WallDepth);
     lamina::AttachReport(
       output, "RuleBasedFibers",
       lamina::Report()

@@ -11,47 +11,13 @@ import sys
 
 import tiny
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from views import cut, drawn_mask, image_slice
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 SIZE = [320, 240]
+MIDDLE = [5.75, 5.75, 5.75]
 TOLERANCE = 60.0  # of vtkImageDifference's thresholded error: some pixels on edges may differ between drivers
-
-
-def cut(source):
-    """The half behind a plane through the middle, whole cells."""
-    half = simple.ExtractCellsByRegion(Input=source)
-    half.IntersectWith = "Plane"
-    half.IntersectWith.Origin = [5.75, 5.75, 5.75]
-    half.IntersectWith.Normal = [0, 1, 0]
-    half.ExtractionSide = "outside"
-    half.Extractintersected = 1
-    return half
-
-
-def image_slice(source, port=0):
-    producer = simple.servermanager.OutputPort(source, port)
-    middle = simple.Slice(Input=producer)
-    middle.SliceType = "Plane"
-    bounds = producer.GetDataInformation().GetBounds()
-    middle.SliceType.Origin = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
-    middle.SliceType.Normal = [0, 1, 0]
-    return middle
-
-
-def drawn_mask(phantom):
-    """The phantom's true heart on every eighth slice."""
-    mask = vtkImageData()
-    mask.DeepCopy(phantom.GetClientSideObject().GetOutputDataObject(1))
-    values = vtk_to_numpy(mask.GetPointData().GetScalars()).reshape(mask.GetDimensions()[::-1])
-    values[values > 0] = 1
-    for k in range(len(values)):
-        values[k] *= k % 8 == 4
-    source = simple.TrivialProducer()
-    source.GetClientSideObject().SetOutput(mask)
-    return source
 
 
 def scenes():
@@ -82,11 +48,11 @@ def scenes():
     yield "VolumeConservingSmoothing", stages["smooth"], None, True
     yield "FeatureSize", stages["sized"], ("POINTS", "FeatureSize"), False
     yield "SurfaceRefinement", stages["refined"], None, True
-    yield "LayeredTetrahedra", cut(stages["solid"]), ("CELLS", "LayerIds"), True
-    yield "PrismLayer", cut(stages["prisms"]), ("CELLS", "LayerIds"), True
-    yield "CoreTetrahedra", cut(stages["core"]), None, True
-    yield "FluidSolidMesh", cut(stages["mesh"]), ("CELLS", "MaterialIds"), True
-    yield "MeshAudit", cut(stages["audit"]), ("CELLS", "MeshQuality"), True
+    yield "LayeredTetrahedra", cut(stages["solid"], MIDDLE), ("CELLS", "LayerIds"), True
+    yield "PrismLayer", cut(stages["prisms"], MIDDLE), ("CELLS", "LayerIds"), True
+    yield "CoreTetrahedra", cut(stages["core"], MIDDLE), None, True
+    yield "FluidSolidMesh", cut(stages["mesh"], MIDDLE), ("CELLS", "MaterialIds"), True
+    yield "MeshAudit", cut(stages["audit"], MIDDLE), ("CELLS", "MeshQuality"), True
 
 
 def show(source, colour, edges, path):
@@ -99,6 +65,11 @@ def show(source, colour, edges, path):
     display.Representation = "Surface With Edges" if edges else "Surface"
     if colour:
         simple.ColorBy(display, colour)
+        # The same colours whatever presets the plugin brings along.
+        colours = simple.GetColorTransferFunction(colour[1])
+        colours.InterpretValuesAsCategories = 0
+        colours.ApplyPreset("Cool to Warm", True)
+        display.RescaleTransferFunctionToDataRange(False, True)
     else:
         display.ColorArrayName = ["POINTS", ""]
     view.CameraPosition = [0, -1, 0.35]

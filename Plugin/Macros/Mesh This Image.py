@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Build the whole pipeline on the selected image and show the mesh: once Macros > Import New Macro, then a click.
+
+Grey images get thresholds from their histogram; images of materials (MaterialIds, or whole numbers up to 32) are taken as they
+are. Every stage stands in the pipeline browser afterwards: change its properties and press Apply.
+"""
+from paraview import servermanager, simple
+from paraview.simple import (ColorBy, CoreTetrahedra, Delete, ExtractCellsByRegion, FeatureSize, FluidSolidMesh, GetActiveSource,
+                             GetActiveViewOrCreate, Hide, Histogram, LayeredTetrahedra, MeshAudit, MultimaterialMarchingCubes,
+                             MultimaterialSegmentation, OutputPort, PrismLayer, Render, ResetCamera, SetActiveSource, Show,
+                             SurfaceRefinement, VolumeConservingSmoothing)
+
+MOST_LABELS = 32
+BINS = 256
+MOST_EDGES = 500_000  # cells; the edges of more are but a dark cloud
+
+
+def say(text):
+    """Into the window of output messages, or the terminal."""
+    from vtkmodules.vtkCommonCore import vtkOutputWindow
+    vtkOutputWindow.GetInstance().DisplayText(text + "\n")
+
+
+def scalars_of(image):
+    """Name, range and whether whole numbers, of the array that is shown: the active scalars, or the first."""
+    points = image.GetDataInformation().DataInformation.GetPointDataInformation()
+    info = points.GetAttributeInformation(0) or (points.GetArrayInformation(0) if points.GetNumberOfArrays() else None)
+    if info is None or info.GetNumberOfComponents() != 1:
+        raise ValueError("the image has no array of one component on its points")
+    return info.GetName(), info.GetComponentRange(0), info.GetDataTypeAsString() not in ("float", "double")
+
+
+def two_thresholds(counts, edges):
+    """The two values that part a histogram into three classes most unlike each other (N. Otsu, IEEE Transactions on Systems,
+    Man and Cybernetics 9, 1979)."""
+    total = [0.0]
+    first = [0.0]
+    for count, value in zip(counts, edges):
+        total.append(total[-1] + count)
+        first.append(first[-1] + count * value)
+
+    def between(a, b):
+        weight = total[b] - total[a]
+        return (first[b] - first[a]) ** 2 / weight if weight > 0 else 0.0
+
+    best, where = -1.0, (1, 2)
+    for low in range(1, len(counts) - 1):
+        below = between(0, low)
+        for high in range(low + 1, len(counts)):
+            spread = below + between(low, high) + between(high, len(counts))
+            if spread > best:
+                best, where = spread, (low, high)
+    step = edges[1] - edges[0]
+    return [edges[k] - 0.5 * step for k in where]
+
+
+def thresholds_of(image, name):
+    """Worked out where the data are, so that it also serves a remote server."""
+    histogram = Histogram(Input=image, SelectInputArray=["POINTS", name], BinCount=BINS)
+    rows = servermanager.Fetch(histogram).GetRowData()
+    Delete(histogram)
+    count = rows.GetArray("bin_values")
+    place = rows.GetArray("bin_extents")
+    return two_thresholds([count.GetValue(i) for i in range(count.GetNumberOfTuples())],
+                          [place.GetValue(i) for i in range(place.GetNumberOfTuples())])
+
+
+def run(stage):
+    stage.UpdatePipeline()
+    if stage.GetDataInformation().GetNumberOfPoints() == 0:
+        raise ValueError(f"{stage.SMProxy.GetXMLLabel()} made nothing; see the messages above it, change its properties or those "
+                         "before it, press Apply and go on from there by hand")
+    return stage
+
+
+def labels_of(image):
+    name, (least, most), whole = scalars_of(image)
+    if name == "MaterialIds" or (whole and least >= 0 and most <= MOST_LABELS):
+        return image
+    thresholds = thresholds_of(image, name)
+    say("Thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in thresholds))
+    return run(MultimaterialSegmentation(registrationName="Materials", Input=image, Thresholds=thresholds))
+
+
+def build(image):
+    labels = labels_of(image)
+    cubes = run(MultimaterialMarchingCubes(registrationName="Interfaces", Input=labels))
+    smooth = run(VolumeConservingSmoothing(registrationName="Smooth", Input=cubes))
+    sized = run(FeatureSize(registrationName="Sizes", Input=smooth))
+    surface = run(SurfaceRefinement(registrationName="Surface", Input=sized))
+    parts = [LayeredTetrahedra(registrationName="Solids", Input=surface), PrismLayer(registrationName="Prisms", Input=surface)]
+    parts.append(CoreTetrahedra(registrationName="Core", Input=OutputPort(parts[1], 1)))
+    mesh = run(FluidSolidMesh(registrationName="Mesh", Input=parts, Surface=surface))
+    return run(MeshAudit(registrationName="Audit", Input=mesh, Surface=surface))
+
+
+def tell(audit):
+    """The line that a user wants: how many cells, how good the worst."""
+    information = audit.GetDataInformation()
+    quality = audit.CellData["MeshQuality"]
+    least = f", least quality {quality.GetRange(0)[0]:.3g}" if quality else ""
+    say(f"{information.GetNumberOfCells():,} cells, {information.GetNumberOfPoints():,} points{least}; the report of Audit "
+        "(its second output) tells more")
+
+
+def show(audit, image):
+    """The half of the mesh behind a plane through its middle, whole cells, by material."""
+    bounds = audit.GetDataInformation().GetBounds()
+    half = ExtractCellsByRegion(registrationName="Cut", Input=audit)
+    half.IntersectWith = "Plane"
+    half.IntersectWith.Origin = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
+    half.IntersectWith.Normal = [0, 1, 0]
+    half.ExtractionSide = "outside"
+    half.Extractintersected = 1
+    hide_widgets = getattr(simple, "HideInteractiveWidgets", None) or simple.Hide3DWidgets  # its name since 5.12, and before
+    hide_widgets(proxy=half.IntersectWith)
+    view = GetActiveViewOrCreate("RenderView")
+    for port in range(image.SMProxy.GetNumberOfOutputPorts()):
+        Hide(OutputPort(image, port), view)
+    shown = Show(half, view)
+    shown.Representation = "Surface With Edges" if audit.GetDataInformation().GetNumberOfCells() < MOST_EDGES else "Surface"
+    shown.EdgeColor = [0.15, 0.15, 0.2]
+    ColorBy(shown, ("CELLS", "MaterialIds"))
+    view.CameraFocalPoint = half.IntersectWith.Origin
+    view.CameraPosition = [half.IntersectWith.Origin[0], bounds[2] - 3 * (bounds[3] - bounds[2]), half.IntersectWith.Origin[2]]
+    view.CameraViewUp = [0, 0, 1]
+    ResetCamera(view)
+    SetActiveSource(audit)  # not the cut, whose plane would stand before the mesh
+    Render(view)
+
+
+def main():
+    image = GetActiveSource()
+    if image is None:
+        say("Mesh This Image: select an image in the pipeline browser first, or make one: Sources > Lamina > Heart Phantom")
+        return
+    try:
+        image.UpdatePipeline()
+        if image.GetDataInformation().GetDataSetTypeAsString() != "vtkImageData":
+            raise ValueError("what is selected is not an image")
+        audit = build(image)
+        tell(audit)
+        show(audit, image)
+    except ValueError as error:
+        say(f"Mesh This Image stopped: {error}")
+
+
+main()

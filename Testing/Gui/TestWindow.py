@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's real window: Sources > Lamina > Heart Phantom, Apply, the macro Mesh This Image, File > Save State; the state then
+makes the same mesh again in pvpython. Needs an X server (xvfb-run).
+
+    TestWindow.py SOURCES PLUGINS_FOLDER OUTPUT_FOLDER    window.png and state.pvsm land in OUTPUT_FOLDER
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree as ElementTree
+
+SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
+SECONDS = 500
+WINDOW = "pqClientMainWindow"
+
+# What the mouse does: object, command, arguments, as ParaView's own recorder writes it.
+EVENTS = (
+    (f"{WINDOW}/menubar", "activate", "menuSources"),
+    (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
+    (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
+    (f"{WINDOW}/propertiesDock/propertiesPanel/Accept", "activate", ""),
+    (f"{WINDOW}/menubar", "activate", "menu_Macros"),
+    (f"{WINDOW}/menubar/menu_Macros", "activate", "Mesh This Image"),
+    (f"{WINDOW}/menubar", "activate", "menu_File"),
+    (f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
+    (f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", os.path.join(OUTPUT, "state.pvsm")),
+)
+
+RELOAD = """
+import sys
+from paraview import simple
+for name in ("Lamina/Lamina.so",):
+    simple.LoadPlugin(sys.argv[1] + "/" + name, remote=False)
+simple.LoadState(sys.argv[2])
+audit = simple.FindSource("Audit")
+audit.UpdatePipeline()
+print("cells", audit.GetDataInformation().GetNumberOfCells())
+"""
+
+
+def check(condition, text):
+    if not condition:
+        sys.exit("FAILED: " + text)
+
+
+def prepare(home):
+    """Settings of a new user: no welcome, and the macro imported."""
+    settings = os.path.join(home, ".config", "ParaView")
+    os.makedirs(os.path.join(settings, "Macros"))
+    with open(os.path.join(settings, "ParaView5.11.0.ini"), "w", encoding="utf-8") as file:
+        file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+    shutil.copy(os.path.join(SOURCES, "Plugin", "Macros", "Mesh This Image.py"), os.path.join(settings, "Macros"))
+    root = ElementTree.Element("pqevents")
+    for target, command, arguments in EVENTS:
+        ElementTree.SubElement(root, "pqevent", {"object": target, "command": command, "arguments": arguments})
+    script = os.path.join(home, "clicks.xml")
+    ElementTree.ElementTree(root).write(script)
+    return script
+
+
+def screenshot(path):
+    subprocess.run(["import", "-window", "root", "-trim", path], check=True, timeout=60)
+    check(os.path.getsize(path) > 10000, f"{path} is empty")
+
+
+def drive(home, script, log):
+    """Play the clicks; the picture is taken when the state has been saved. Returns what ParaView said."""
+    environment = {**os.environ, "HOME": home, "PV_PLUGIN_PATH": f"{PLUGINS}/Lamina;{PLUGINS}/LaminaWindow",
+                   "XDG_RUNTIME_DIR": home}
+    state = os.path.join(OUTPUT, "state.pvsm")
+    with open(log, "w", encoding="utf-8") as file:
+        window = subprocess.Popen(["paraview", f"--test-script={script}"], stdout=file, stderr=file, env=environment)
+        end = time.monotonic() + SECONDS
+        try:
+            while time.monotonic() < end and window.poll() is None and not os.path.isfile(state):
+                time.sleep(1)
+                with open(log, encoding="utf-8", errors="replace") as said:
+                    if "critical:" in said.read():
+                        break
+            time.sleep(5)
+            screenshot(os.path.join(OUTPUT, "window.png"))
+        finally:
+            window.terminate()
+            window.wait(30)
+    with open(log, encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def main():
+    os.makedirs(OUTPUT, exist_ok=True)
+    state = os.path.join(OUTPUT, "state.pvsm")
+    if os.path.exists(state):
+        os.remove(state)
+    with tempfile.TemporaryDirectory() as home:
+        said = drive(home, prepare(home), os.path.join(OUTPUT, "window.log"))
+        check("critical:" not in said, said[:3000])
+        check(os.path.isfile(state), f"no state was saved within {SECONDS} s; see {OUTPUT}/window.png\n{said[:2000]}")
+        told = next((line for line in said.splitlines() if "cells," in line), "")
+        check(told, f"the macro did not tell of a mesh:\n{said[:3000]}")
+        cells = told.split(" cells,")[0].replace(",", "")
+        script = os.path.join(home, "reload.py")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(RELOAD)
+        done = subprocess.run(["pvpython", "--no-mpi", script, PLUGINS, state], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=SECONDS)
+        check(f"cells {cells}" in done.stdout, f"the state makes another mesh than {cells} cells:\n{done.stdout}")
+    print(told)
+    print("the window's mesh comes back from its state")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,12 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Draw all pictures of docs/filters anew: Utilities/draw-pages.sh [FOLDER] [NAME ...]. Look at them before they are kept.
+set -eu
+LAMINA_COMMAND=draw-pages.sh
+here=$(dirname -- "$(readlink -f -- "$0")")
+. "$here/lamina-run.sh"
+lamina_find
+PYTHONPATH=$(dirname -- "$LAMINA_PLUGIN")${PYTHONPATH:+:$PYTHONPATH}
+PYTHONDONTWRITEBYTECODE=1
+export PYTHONPATH PYTHONDONTWRITEBYTECODE
+exec xvfb-run -a -n $((100 + $$ % 800)) pvpython --no-mpi "$here/draw-pages.py" "$@"
