@@ -42,6 +42,10 @@ def stages():
     s["tets"] = simple.PrismstoTetrahedra(Input=s["mesh"])
     s["quadratic"] = simple.QuadraticCells(Input=s["tets"], Surface=s["smooth"])
     s["fibers"] = simple.RuleBasedFibers(Input=s["tets"])
+    s["depth"] = simple.WallDepth(Input=s["tets"])
+    s["smooth"].UpdatePipeline()
+    bounds = s["smooth"].GetDataInformation().GetBounds()
+    s["vessel cut"] = simple.VesselCut(Input=s["smooth"], Origin=[0, 0, bounds[4] + 0.7 * (bounds[5] - bounds[4])], Normal=[0.3, -0.1, 1])
     for stage in s.values():
         stage.UpdatePipeline()
     return s
@@ -81,6 +85,8 @@ def scenes(s):
     yield "mesh-audit", (mesh, material, True, 1.4), (cut(s["audit"]), ("CELLS", "MeshQuality"), True, 1.4)
     yield "prisms-to-tetrahedra", (cut(s["ball"]), layers, True, 1.2), (cut(s["cut ball"]), layers, True, 1.2)
     yield "quadratic-cells", (s["tets"], None, True, 5), (s["quadratic"], None, True, 5)
+    yield "vessel-cut", (s["smooth"], None, False, 1), (s["vessel cut"], ("CELLS", "PatchIds"), False, 1)
+    yield "wall-depth", (cut(s["tets"]), material, False, 1), (cut(s["depth"]), ("CELLS", "WallDepth"), False, 1)
     yield "rule-based-fibers", (cut(s["tets"]), material, False, 1), (cut(s["fibers"]), ("CELLS", "WallDepth"), False, 1)
 
 

@@ -29,7 +29,7 @@ def build():
     labels = s.MultimaterialSegmentation(registrationName="MultimaterialSegmentation", Input=phantom, MinimumVoxels=20,
                                          Thresholds=[48.0, 112.0, 152.0], SmoothingSweeps=1)
     edited = s.ReassignVoxels(registrationName="ReassignVoxels", Input=labels, Shape="None", Edits=[EDIT], ForbiddenContacts=[0, 2])
-    cubes = s.MultimaterialMarchingCubes(registrationName="MultimaterialMarchingCubes", Input=edited, OpenMaterials=[2])
+    cubes = s.MultimaterialMarchingCubes(registrationName="MultimaterialMarchingCubes", Input=edited, GreyImage=phantom, OpenMaterials=[2])
     smooth = s.VolumeConservingSmoothing(registrationName="VolumeConservingSmoothing", Input=cubes, Sweeps=12)
     sized = s.FeatureSize(registrationName="FeatureSize", Input=smooth, Layers=2, Gradient=0.4)
     fine = s.SurfaceRefinement(registrationName="SurfaceRefinement", Input=sized, Iterations=4)
@@ -42,6 +42,8 @@ def build():
     tets = s.PrismstoTetrahedra(registrationName="PrismsToTetrahedra", Input=mesh)
     s.QuadraticCells(registrationName="QuadraticCells", Input=tets, Surface=smooth, SurfaceScale=0.001, LargestOffset=0.2)
     s.RuleBasedFibers(registrationName="RuleBasedFibers", Input=tets, EndocardialHelixAngle=50.0, MuscleMaterials=[1])
+    s.WallDepth(registrationName="WallDepth", Input=tets, InnerWalls="1-2")
+    s.VesselCut(registrationName="VesselCut", Input=smooth, Origin=[0.0, 0.0, 0.0], Normal=[0.2, 0.1, 1.0], Name="top")
     return [mask, audit]
 
 
