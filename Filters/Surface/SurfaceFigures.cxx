@@ -36,4 +36,13 @@ void WriteImageVolumes(const std::vector<int>& materials, const std::vector<doub
   output->GetFieldData()->AddArray(array);
 }
 
+void DropSurfaceFigures(vtkPolyData* output)
+{
+  for (const char* name :
+       { names::IntersectingPairs, names::LeastClearance, names::LeastAngle, names::ImageVolumes })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+}
+
 } // namespace lamina

@@ -18,4 +18,7 @@ void WriteCertificate(const SurfaceCertificate& certificate, vtkPolyData* output
 void WriteImageVolumes(const std::vector<int>& materials, const std::vector<double>& volumes,
                        vtkPolyData* output);
 
+/// Take these away from a surface that is no longer the one they tell of.
+void DropSurfaceFigures(vtkPolyData* output);
+
 } // namespace lamina

@@ -5,6 +5,7 @@
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
+#include "SurfaceFigures.h"
 
 #include "Surface/CutVessel.h"
 
@@ -87,6 +88,7 @@ int vtkVesselCut::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
                       << " % of the volume: turn Normal over if the other part was meant");
     }
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
+    lamina::DropSurfaceFigures(output);
     lamina::WriteSurface(*surface, output);
     lamina::AttachReport(output, "VesselCut", Describe(*report));
     return lamina::Done{};

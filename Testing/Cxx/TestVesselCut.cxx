@@ -47,6 +47,7 @@ TEST(VesselCut, TakesAwayWhatIsBeyondAndNamesTheEnds)
   EXPECT_FALSE(out->GetPointData()->GetArray("FeatureSize")) << "sizes have to be found anew";
   EXPECT_NE(ReportOf(out, "VesselCut").find("cutShare"), std::string::npos);
   EXPECT_FALSE(ReportOf(out, "MultimaterialMarchingCubes").empty()) << "reports travel along";
+  EXPECT_FALSE(out->GetFieldData()->GetArray("ImageVolumes")) << "they were those of the whole";
   EXPECT_EQ(boxes->GetNumberOfCells(), before) << "the input is never changed";
 }
 
