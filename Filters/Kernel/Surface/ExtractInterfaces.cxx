@@ -247,7 +247,8 @@ Result<ExtractInterfacesReport> ExtractInterfaces(const LabelImage& image, Trian
   {
     cut = CutMaterialsAtMask(labels, *options.mask, options.openMaterials);
   }
-  const LabelImage first = labels;
+  const LabelImage beforeRepair = cut.empty() ? LabelImage{} : labels;
+  const LabelImage& first = cut.empty() ? image : beforeRepair;
   SubMonitor early(monitor, 0, 0.4);
   const std::vector<Id> repaired = RepairTopology(labels, RepairOptions(), early).changed;
   NoteRepair(labels.grid, repaired, report);

@@ -30,6 +30,17 @@ private:
     return outside ? 0
                    : this->Image.labels[static_cast<std::size_t>(this->Image.grid.Index(v[0], v[1], v[2]))];
   }
+  /// Whether voxel (i, j, k) and those before it along each axis are inside and of one label, as most are.
+  bool IsUniform(Id i, Id j, Id k) const
+  {
+    if (i < 1 || j < 1 || k < 1 || i >= this->Size[0] || j >= this->Size[1] || k >= this->Size[2])
+    {
+      return false;
+    }
+    const int* label = this->Image.labels.data() + this->Image.grid.Index(i, j, k);
+    const Id row = this->Size[0];
+    return label[0] == label[-1] && label[0] == label[-row] && label[0] == label[-row * this->Size[1]];
+  }
   bool WasCut(const std::array<Id, 3>& v) const
   {
     return !this->Cut.empty() &&
@@ -65,6 +76,10 @@ void FaceCollector::CollectSlice(Id k, std::vector<VoxelFace>& faces) const
   {
     for (Id i = 0; i <= this->Size[0]; ++i)
     {
+      if (this->IsUniform(i, j, k))
+      {
+        continue;
+      }
       const std::array<Id, 3> high{ i, j, k };
       bool outsideHigh = false;
       const int labelHigh = this->Label(high, outsideHigh);
