@@ -6,12 +6,14 @@
 
 #include "Base/Result.h"
 
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -82,6 +84,11 @@ Result<std::vector<T>> ReadValues(vtkDataSetAttributes* attributes, const char* 
                         std::to_string(tuples) + " of " + std::to_string(components) + " are needed");
   }
   values.resize(static_cast<std::size_t>(tuples) * static_cast<std::size_t>(components));
+  if (auto* same = vtkAOSDataArrayTemplate<T>::FastDownCast(array))
+  {
+    std::copy_n(same->GetPointer(0), values.size(), values.begin());
+    return values;
+  }
   for (vtkIdType t = 0; t < tuples; ++t)
   {
     for (int c = 0; c < components; ++c)

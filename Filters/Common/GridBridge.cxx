@@ -30,6 +30,10 @@ Status ReadCells(vtkUnstructuredGrid* input, VolumeMesh& mesh)
 {
   vtkCellArray* cells = input->GetCells();
   const vtkIdType points = input->GetNumberOfPoints();
+  const auto count = static_cast<std::size_t>(input->GetNumberOfCells());
+  mesh.types.reserve(count);
+  mesh.offsets.reserve(count + 1);
+  mesh.connectivity.reserve(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
   for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
   {
     const int type = input->GetCellType(c);

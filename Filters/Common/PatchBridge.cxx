@@ -164,6 +164,15 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid)
     materialNames.push_back(name);
   }
   vtkFieldData* field = grid->GetFieldData();
+  if (patches.faces.empty())
+  {
+    for (const char* name : { names::PatchNames, names::PatchKinds, names::PatchMaterials, names::PatchFaces,
+                              names::PatchedCells })
+    {
+      field->RemoveArray(name);
+    }
+    return;
+  }
   field->AddArray(MakeStrings(names::PatchNames, patchNames));
   field->AddArray(MakeArray<vtkIntArray>(names::PatchKinds, kinds));
   field->AddArray(MakeArray<vtkIntArray>(names::PatchMaterials, pairs, 2));

@@ -14,7 +14,8 @@ class vtkUnstructuredGrid;
 namespace lamina
 {
 
-/// Put the patches' names and faces on the grid's field data.
+/// Put the patches' names and faces on the grid's field data; if there are none, take away those that are
+/// there.
 void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid);
 
 /// Read them back. Empty if the grid has none, or if its cells are no longer those that the patches were

@@ -90,7 +90,11 @@ lamina::Status WriteFaces(const Piece& piece, const std::vector<lamina::SideSet>
   std::array<Id, 8> corners;
   for (std::size_t s = 0; s < sets.size(); ++s)
   {
-    for (const lamina::Side& side : isAsked(s) ? sets[s].sides : std::vector<lamina::Side>{})
+    if (!isAsked(s))
+    {
+      continue;
+    }
+    for (const lamina::Side& side : sets[s].sides)
     {
       lamina::SideNodes(piece.model, side, corners);
       polys->InsertNextCell(3);

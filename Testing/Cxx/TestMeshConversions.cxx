@@ -37,6 +37,18 @@ vtkSmartPointer<vtkUnstructuredGrid> TwoPrisms()
 
 } // namespace
 
+TEST(PrismsToTetrahedra, AMeshWithoutPatchesHasNoneAfterwards)
+{
+  vtkNew<vtkPrismsToTetrahedra> filter;
+  filter->SetInputData(TwoPrisms());
+  ExpectFine(filter);
+  EXPECT_FALSE(filter->GetOutput()->GetFieldData()->HasArray("PatchFaces"));
+  vtkNew<vtkMeshAudit> audit;
+  audit->SetInputData(filter->GetOutput());
+  ExpectFine(audit);
+  EXPECT_TRUE(audit->GetPassed()) << audit->GetReportAsJSON();
+}
+
 TEST(PrismsToTetrahedra, KeepsMaterialsAndPatches)
 {
   vtkNew<vtkFluidSolidMesh> mesh;

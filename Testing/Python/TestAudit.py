@@ -14,7 +14,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
 failures = []
 
@@ -231,9 +231,21 @@ def command(root):
             writer.SetFileName(os.path.join(folder, name))
             writer.SetInputData(data)
             writer.Write()
+        whole = mesh.Surface.GetClientSideObject().GetOutputDataObject(0)
+        torn = type(whole)()
+        torn.DeepCopy(whole)
+        torn.BuildLinks()
+        torn.DeleteCell(0)
+        torn.RemoveDeletedCells()
+        for name, data in (("whole.vtp", whole), ("torn.vtp", torn)):
+            writer = vtkXMLPolyDataWriter()
+            writer.SetFileName(os.path.join(folder, name))
+            writer.SetInputData(data)
+            writer.Write()
         with open(os.path.join(folder, "text.vtu"), "w", encoding="ascii") as file:
             file.write("no mesh")
         for name, code, word in (("sound mesh.vtu", 0, "passed, 0 findings"), ("broken.vtu", 1, "finding: 1 cells are inverted"),
+                                 ("whole.vtp", 0, "passed, 0 findings"), ("torn.vtp", 1, "open"),
                                  ("text.vtu", 3, "cannot be read"), ("nothing.vtu", 3, "no such file"), ("mesh.stl", 3, "no such file")):
             done = subprocess.run([script, name], cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
             check(done.returncode == code and word in done.stdout, f"lamina-audit {name}: {done.returncode} {done.stdout[-500:]}")
@@ -242,7 +254,7 @@ def command(root):
             if code < 3:
                 with open(page, encoding="utf-8") as file:
                     text = file.read()
-                check(text.count("<svg") >= 4 and ("nothing wrong" in text) == (code == 0), f"lamina-audit {name}: the page's text")
+                check((text.count("<svg") >= 4 or name.endswith(".vtp")) and ("nothing wrong" in text) == (code == 0), f"lamina-audit {name}: the page's text")
                 check("http" not in text, "the page needs nothing from elsewhere")
         print("ok: lamina-audit", flush=True)
 

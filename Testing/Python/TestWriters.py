@@ -15,6 +15,7 @@ import tiny
 from checkers import abaqus, carp, exodus, febio, foam, gmsh, lsdyna, nastran, su2
 from paraview import simple
 from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkFieldData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
@@ -112,6 +113,7 @@ def with_prisms(folder, mesh, truth):
     types = foam.read(os.path.join(folder, "OpenFOAM", "mesh.foam")).kinds
     check({types[n] for n in truth.sides if n.startswith("opening")} == {"patch"}, f"OpenFOAM: types {types}")
     su2_files(folder, mesh, truth)
+    xdmf(folder, mesh, truth)
 
 
 def su2_files(folder, mesh, truth):
@@ -126,6 +128,24 @@ def su2_files(folder, mesh, truth):
         total = sum((model.vector_area(n) for n in model.side_sets), np.zeros(3))
         check(np.linalg.norm(total) < 1e-9, f"SU2 {material}: its boundary is not closed, or turned: {total}")
     print("ok: SU2", flush=True)
+
+
+def xdmf(folder, mesh, truth):
+    """ParaView's own writer and reader of XDMF and HDF5: places, cells and their arrays, bit for bit."""
+    path = os.path.join(folder, "mesh.xdmf")
+    simple.Xdmf3Writer(Input=mesh, FileName=path).UpdatePipeline()
+    check(os.path.isfile(os.path.join(folder, "mesh.h5")), "XDMF: no mesh.h5")
+    reader = simple.Xdmf3ReaderS(FileName=[path])
+    reader.UpdatePipeline()
+    grid = reader.GetClientSideObject().GetOutputDataObject(0)
+    check(np.array_equal(vtk_to_numpy(grid.GetPoints().GetData()), truth.points), "XDMF: the points")
+    for name in ("MaterialIds", "LayerIds"):
+        found, own = (g.GetCellData().GetArray(name) for g in (grid, truth.grid))
+        check(found is not None and np.array_equal(vtk_to_numpy(found), vtk_to_numpy(own)), f"XDMF: {name}")
+    cells = [tuple(grid.GetCell(c).GetPointId(k) for k in range(grid.GetCell(c).GetNumberOfPoints()))
+             for c in range(grid.GetNumberOfCells())]
+    check(cells == [nodes for _, nodes in truth.cells], "XDMF: the cells")
+    print("ok: XDMF", flush=True)
 
 
 def with_tetrahedra(folder, tets, truth):

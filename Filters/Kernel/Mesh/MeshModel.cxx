@@ -144,6 +144,12 @@ MeshModel TakeMaterial(const MeshModel& model, int material, std::vector<Id>& no
     }
     return nodeOf[Index(node)];
   };
+  const auto cells =
+    static_cast<std::size_t>(std::count(mesh.materials.begin(), mesh.materials.end(), material));
+  part.mesh.types.reserve(cells);
+  part.mesh.offsets.reserve(cells + 1);
+  part.mesh.connectivity.reserve(cells * mesh.connectivity.size() /
+                                 std::max<std::size_t>(1, mesh.types.size()));
   for (std::size_t c = 0; c < mesh.types.size(); ++c)
   {
     if (mesh.materials[c] != material)
