@@ -10,8 +10,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <thread>
+
+#include <unistd.h>
 
 using namespace lamina;
 
@@ -212,6 +216,82 @@ TEST(CoreTets, TroubleWithTheProgramIsNamed)
   expect("/bin/false", "code 1");
   expect("/bin/true", "no answer that makes sense");
   expect("/bin/cat", "no answer that makes sense");
+}
+
+namespace
+{
+
+/// A program of a few lines of shell, gone at the end.
+class Script
+{
+public:
+  explicit Script(const std::string& text)
+    : Path(std::filesystem::temp_directory_path() / ("lamina-child-" + std::to_string(getpid()) + ".sh"))
+  {
+    std::ofstream(this->Path) << "#!/bin/sh\n" << text << "\n";
+    std::filesystem::permissions(this->Path, std::filesystem::perms::owner_all);
+  }
+  Script(const Script&) = delete;
+  Script& operator=(const Script&) = delete;
+  ~Script() { std::filesystem::remove(this->Path); }
+  std::string Program() const { return this->Path.string(); }
+
+private:
+  std::filesystem::path Path;
+};
+
+Result<CoreTetsReport> FillBy(const std::string& program, Monitor& monitor)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 0, 0, 0 }, 1, 3, { 1, 0 });
+  CoreTetsOptions options;
+  options.program = program;
+  VolumeMesh mesh;
+  return MeshCoreTets(surface, {}, options, mesh, monitor);
+}
+
+} // namespace
+
+TEST(ChildProcess, KilledChildIsNamed)
+{
+  const Script script("kill -9 $$");
+  ThreadMonitor monitor;
+  const auto result = FillBy(script.Program(), monitor);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.GetError().message.find("signal 9"), std::string::npos) << result.GetError().message;
+  EXPECT_NE(result.GetError().message.find("memory"), std::string::npos) << result.GetError().message;
+}
+
+TEST(ChildProcess, ChildThatNeverEndsIsCancelled)
+{
+  // One that reads nothing and answers nothing, and one that has closed its ends but goes on.
+  for (const char* text : { "exec sleep 1000", "exec sleep 1000 <&- >&-" })
+  {
+    const Script script(text);
+    ThreadMonitor monitor;
+    std::thread canceller(
+      [&]()
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        monitor.Cancel();
+      });
+    const auto start = std::chrono::steady_clock::now();
+    const auto result = FillBy(script.Program(), monitor);
+    canceller.join();
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.GetError().kind, Failure::Cancelled);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+  }
+}
+
+TEST(ChildProcess, NoMemoryForItIsNamed)
+{
+  const Script script(std::string("ulimit -v 20000; exec ") + LAMINA_TETGEN_PROGRAM);
+  ThreadMonitor monitor;
+  const auto result = FillBy(script.Program(), monitor);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.GetError().kind, Failure::Unreachable);
+  EXPECT_FALSE(result.GetError().message.empty());
 }
 
 TEST(ChildProcess, LargeMessagesPassBothWays)

@@ -153,6 +153,81 @@ TEST(ImproveTets, RaisesTheWorstAndKeepsTheRest)
   }
 }
 
+TEST(ImproveTets, PlantedSliversGo)
+{
+  // The middle of a good grid is drawn to where it makes needles (near another point), wedges (near an edge),
+  // caps (near a face) and slivers (between two edges).
+  TetSet good = ShakenGrid(4, 0);
+  std::fill(good.groups.begin(), good.groups.end(), 1);
+  const Vec3 middle{ 2, 2, 2 };
+  const auto at = std::find(good.points.begin(), good.points.end(), middle) - good.points.begin();
+  const std::vector<Vec3> targets{
+    { 3, 2, 2 }, { 2.5, 2.5, 2 }, { 7.0 / 3, 7.0 / 3, 7.0 / 3 }, { 2.5, 2, 2.5 }
+  };
+  for (const Vec3& target : targets)
+  {
+    for (const bool isStuck : { false, true })
+    {
+      TetSet set = good;
+      std::fill(set.fixed.begin(), set.fixed.end(), isStuck ? 1 : 0);
+      set.layerIndex.clear();
+      set.points[static_cast<std::size_t>(at)] = middle + 0.97 * (target - middle);
+      double before = 0;
+      const auto volumes = Volumes(set, before);
+      ASSERT_GT(before, 0);
+      ASSERT_LT(before, 0.1);
+      const auto walls = Walls(set);
+      ThreadMonitor monitor;
+      const auto report = ImproveTets(set, {}, monitor);
+      double after = 0;
+      EXPECT_NEAR(Volumes(set, after)[0], volumes[0], 1e-11 * volumes[0]);
+      EXPECT_EQ(Walls(set), walls);
+      // What the points that must stay make cannot be good, but better.
+      EXPECT_GT(after, isStuck ? before : 0.25) << target.x << " " << target.y;
+      EXPECT_GT(report.edgesRemoved + report.facesFlipped + report.pointsMoved + report.pointsAdded +
+                  report.pointsRemoved,
+                0);
+    }
+  }
+}
+
+TEST(ImproveTets, PointsArePutInWhereNothingElseHelps)
+{
+  // Shaken so much that points which must stay leave reconnection without a way.
+  TetSet set = ShakenGrid(8, 0.45);
+  std::fill(set.fixed.begin(), set.fixed.end(), 1);
+  TetSet without = set;
+  double before = 0;
+  const auto volumes = Volumes(set, before);
+  const auto walls = Walls(set);
+  ThreadMonitor monitor;
+  ImproveTetsOptions options;
+  options.pointsBelow = 0;
+  const auto less = ImproveTets(without, options, monitor);
+  EXPECT_EQ(less.pointsAdded, 0);
+  EXPECT_GT(less.left, 0);
+  const auto more = ImproveTets(set, {}, monitor);
+  EXPECT_GT(more.pointsAdded, 0);
+  EXPECT_EQ(set.points.size(), without.points.size() + static_cast<std::size_t>(more.pointsAdded));
+  EXPECT_EQ(set.layerIndex.back(), -1);
+  EXPECT_GE(more.leastQuality, less.leastQuality);
+  double after = 0;
+  EXPECT_NEAR(Volumes(set, after)[0], volumes[0], 1e-11 * volumes[0]);
+  EXPECT_GT(after, before);
+  EXPECT_EQ(Walls(set), walls);
+  const auto poor = [](const TetSet& tets)
+  {
+    return std::count_if(tets.tets.begin(), tets.tets.end(),
+                         [&](const auto& tet)
+                         {
+                           const auto at = [&](std::size_t v)
+                           { return tets.points[static_cast<std::size_t>(tet[v])]; };
+                           return TetQuality(at(0), at(1), at(2), at(3)) < 0.2;
+                         });
+  };
+  EXPECT_LT(poor(set), poor(without));
+}
+
 TEST(ImproveTets, InterfacesStayEvenIfTheirPointsAreNotFixed)
 {
   TetSet set = ShakenGrid(6, 0.3);

@@ -165,12 +165,29 @@ def with_tetrahedra(folder, tets, truth):
     lengths = np.linalg.norm(rows, axis=1)
     check(np.count_nonzero(lengths > 0.5) == truth.counts["tissue"][4], "fibres in the tissue, none in the blood")
     print("ok: CARP", flush=True)
+    wall_depth(tets, truth)
     simvascular(os.path.join(folder, "mesh-complete"), tets, truth)
     for name in ("Abaqus", "Nastran", "FEBio"):
         path = os.path.join(place, PRISMS[name][0])
         ok, errors, _ = write(name, tets, path)
         check(ok, errors)
         compare(name, PRISMS[name][1](path), truth, PRISMS[name][2])
+
+
+def wall_depth(tets, truth):
+    """From the blood's side to the outside, in the tissue only; names that do not fit are told."""
+    depth = simple.WallDepth(Input=tets, InnerWalls="1-2", OuterWalls="1-0")
+    depth.UpdatePipeline()
+    grid = depth.GetClientSideObject().GetOutputDataObject(0)
+    cells = vtk_to_numpy(grid.GetCellData().GetArray("WallDepth"))
+    points = vtk_to_numpy(grid.GetPointData().GetArray("WallDepth"))
+    normals = np.linalg.norm(vtk_to_numpy(grid.GetCellData().GetArray("LayerNormals")), axis=1)
+    tissue = vtk_to_numpy(grid.GetCellData().GetArray("MaterialIds")) == 1
+    check(np.all(cells[~tissue] == -1) and np.all(cells <= 1), "the depth leaves its range")
+    check(np.count_nonzero(cells[tissue] >= 0) > 0.5 * np.count_nonzero(tissue), "the tissue has no depth")
+    check(np.allclose(normals[cells >= 0], 1) and np.all(normals[cells < 0] == 0), "LayerNormals are of length 1, or 0")
+    check(points.min() == -1 and points.max() == 1 and np.any(points == 0), "the points reach both walls")
+    print("ok: Wall Depth", flush=True)
 
 
 def simvascular(place, tets, truth):

@@ -120,7 +120,7 @@ std::vector<Id> ColumnGrowth::PoorColumns(double target)
   {
     for (Id v : this->W.triangles[U(t)])
     {
-      if (poor[U(t)] && !this->C.Stopped(v))
+      if (poor[U(t)] && !this->C.Stopped(v) && this->Frozen[U(v)] == 0)
       {
         nodes.push_back(v);
       }

@@ -22,8 +22,9 @@ private:
   void SetFractions();
   /// Shrink columns, and stop them at last, until all is sound. False: it did not come to an end.
   bool Mend(Monitor& watch);
-  /// Fair poor prisms and mend what is not sound then; undone if that costs a column.
+  /// Fair poor prisms and mend what is not sound then; undone where that costs a column.
   void Fair(Monitor& watch);
+  bool FreezeLost(const Columns& before);
 
   // Directions (ColumnDirections.cxx).
   void FindDirections();
@@ -73,7 +74,8 @@ private:
   std::vector<double> Edge;  ///< mean length of the wall's edges at a node
   /// Clearance of the wall's triangles around a node, as far as layers could care.
   std::vector<double> WallGap;
-  std::vector<char> Dirty; ///< triangles to test (again)
+  std::vector<char> Frozen; ///< columns that fairing leaves alone
+  std::vector<char> Dirty;  ///< triangles to test (again)
 };
 
 } // namespace lamina

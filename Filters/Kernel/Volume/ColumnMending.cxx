@@ -171,7 +171,9 @@ Id ColumnGrowth::MendFronts(int round)
     {
       // At most half of what the wall itself has: there it is the next triangles of the same front that are
       // near.
-      const double wish = std::max(0.6 * last * this->C.height[v], GapOfEdge * edge[v]);
+      // Layers of tets are thin against their edges, and so may be what is left between them.
+      const double byEdge = this->Options.cells == ColumnCells::Tets ? 0 : GapOfEdge * edge[v];
+      const double wish = std::max(0.6 * last * this->C.height[v], byEdge);
       gap[v] = std::min(wish, 0.5 * this->WallGap[v]);
     }
     const std::vector<double> clearance = PointClearances(front, this->W.triangles, gap, this->Watch);

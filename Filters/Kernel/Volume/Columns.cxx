@@ -13,6 +13,8 @@ namespace
 {
 
 constexpr double FairQuality = 0.4; ///< prisms below are faired
+constexpr int MostAttempts = 4; ///< at fairing, each without the places where the one before cost a column
+constexpr int FrozenRings = 3;
 
 } // namespace
 
@@ -50,14 +52,58 @@ bool ColumnGrowth::Mend(Monitor& watch)
 
 void ColumnGrowth::Fair(Monitor& watch)
 {
-  const auto stopped = [this]() { return std::count(this->C.height.begin(), this->C.height.end(), 0.0); };
   const Columns before = this->C;
-  const auto stoppedBefore = stopped();
-  const bool sound = this->FairColumns(FairQuality) == 0 || this->Mend(watch);
-  if (!sound || stopped() > stoppedBefore)
+  this->Frozen.assign(this->W.points.size(), 0);
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
+    if (this->FairColumns(FairQuality) == 0)
+    {
+      return;
+    }
+    const bool sound = this->Mend(watch);
+    const bool lost = sound && this->FreezeLost(before);
+    if (sound && !lost)
+    {
+      return;
+    }
     this->C = before;
+    if (!sound)
+    {
+      return;
+    }
   }
+}
+
+/// Freezes the columns that stopped since and those near them; false if there are none.
+bool ColumnGrowth::FreezeLost(const Columns& before)
+{
+  std::vector<Id> ring;
+  for (std::size_t v = 0; v < before.height.size(); ++v)
+  {
+    if (this->C.height[v] == 0 && before.height[v] > 0)
+    {
+      ring.push_back(static_cast<Id>(v));
+    }
+  }
+  const bool hasLost = !ring.empty();
+  for (int rings = 0; rings < FrozenRings; ++rings)
+  {
+    std::vector<Id> next;
+    for (Id v : ring)
+    {
+      for (Id t : Row(this->W.star, v))
+      {
+        for (Id p : this->W.triangles[static_cast<std::size_t>(t)])
+        {
+          char& frozen = this->Frozen[static_cast<std::size_t>(p)];
+          next.insert(next.end(), frozen == 0 ? 1 : 0, p);
+          frozen = 1;
+        }
+      }
+    }
+    ring = std::move(next);
+  }
+  return hasLost;
 }
 
 Result<Columns> ColumnGrowth::Run()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays through walls meet every layer that was asked for.
+#include "Images.h"
+#include "LayerRays.h"
+#include "Shapes.h"
+#include "Sizing/FeatureSize.h"
+#include "Surface/ExtractInterfaces.h"
+#include "Surface/RefineSurface.h"
+#include "Surface/SmoothSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace lamina;
+
+namespace
+{
+
+/// Fills material 1 with `count` layers and sends rays through it.
+layers::RayCount Send(const TriangleComplex& surface, int count, double shortest, double longest, Id rays)
+{
+  ThreadMonitor monitor(2);
+  LayeredTetsOptions options;
+  options.materials = { 1 };
+  options.layers = count;
+  VolumeMesh mesh;
+  LayersOnSurface onSurface;
+  const auto report = MeshLayeredTets(surface, options, mesh, onSurface, monitor);
+  EXPECT_TRUE(report) << (report ? "" : report.GetError().message);
+  EXPECT_GT(report->leastQuality, 0.1);
+  // No tet spans three layers, but for the core's at walls whose columns stopped.
+  for (Id c = 0; report->stoppedColumns == 0 && c < mesh.CellCount(); ++c)
+  {
+    int low = 1000;
+    int high = -1;
+    for (int k = 0; k < 4; ++k)
+    {
+      const int index = mesh.layerIndex[static_cast<std::size_t>(mesh.Cell(c)[k])];
+      low = index < 0 ? low : std::min(low, index);
+      high = std::max(high, index);
+    }
+    EXPECT_LE(high - low, 1);
+  }
+  return layers::CountRays(surface, mesh, onSurface, 1, (count - 1) / 2, rays, shortest, longest);
+}
+
+} // namespace
+
+TEST(LayerPromise, SlabAndShellAreWhole)
+{
+  for (const int count : { 4, 6, 8 })
+  {
+    TriangleComplex slab;
+    shapes::AddBox(slab, { 0, 0, 0 }, { 6, 6, 1 }, { { 3 * count, 3 * count, count / 2 } }, { 1, 0 });
+    TriangleComplex shell;
+    shapes::AddSphere(shell, {}, 1, 4, { 1, 0 });
+    shapes::AddSphere(shell, {}, 0.6, 4, { 1, 2 });
+    for (std::size_t t = shell.triangles.size() / 2; t < shell.triangles.size(); ++t)
+    {
+      std::swap(shell.triangles[t][1], shell.triangles[t][2]);
+    }
+    for (TriangleComplex* surface : { &slab, &shell })
+    {
+      ThreadMonitor monitor(2);
+      FeatureSizeOptions sizing;
+      sizing.minimum = 1e-3;
+      ASSERT_TRUE(ComputeFeatureSize(*surface, sizing, monitor));
+      const double thickness = surface == &slab ? 1 : 0.4;
+      const auto rays = Send(*surface, count, 0.9 * thickness, 1.1 * thickness, 3000);
+      EXPECT_GT(rays.rays, 1000);
+      EXPECT_EQ(rays.whole, rays.rays) << count;
+    }
+  }
+}
+
+TEST(LayerPromise, WallsOfAnImageAreWholeOrFlagged)
+{
+  // Two cavities of different size in a body, so that walls are thin and thick; a vessel runs through.
+  const auto image = images::MakeCentred(40,
+                                         [](double x, double y, double z)
+                                         {
+                                           const double r = std::sqrt(x * x + y * y + 0.6 * z * z);
+                                           const double a = std::hypot(std::hypot(x + 6, y), 0.8 * z);
+                                           const double b = std::hypot(std::hypot(x - 7.5, y + 1), 0.7 * z);
+                                           return a < 6.5 ? 2 : (b < 4 ? 3 : (r < 16 ? 1 : 0));
+                                         });
+  ThreadMonitor monitor(2);
+  TriangleComplex surface;
+  ASSERT_TRUE(ExtractInterfaces(image, surface, {}, monitor));
+  ASSERT_TRUE(SmoothSurface(surface, {}, monitor));
+  FeatureSizeOptions sizing;
+  sizing.layers = 4;
+  const auto sized = ComputeFeatureSize(surface, sizing, monitor);
+  ASSERT_TRUE(sized);
+  ASSERT_TRUE(RefineSurface(surface, {}, monitor));
+  const auto rays = Send(surface, 4, sized->minimum, sized->maximum, 20000);
+  EXPECT_GT(rays.rays, 5000);
+  EXPECT_GE(static_cast<double>(rays.whole), 0.999 * static_cast<double>(rays.rays));
+  EXPECT_EQ(rays.whole + rays.flagged, rays.rays);
+}
