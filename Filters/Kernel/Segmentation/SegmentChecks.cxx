@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be segmented, found before any work.
+#include "HistogramThresholds.h"
 #include "SegmentRules.h"
 
 #include <algorithm>
@@ -30,6 +31,15 @@ std::string Text(const Parts&... parts)
 std::string SizeText(const std::array<Id, 3>& size)
 {
   return Text(size[0], " x ", size[1], " x ", size[2]);
+}
+
+/// Four digits are enough for a threshold to start from.
+std::string Suggestion(double threshold)
+{
+  std::ostringstream stream;
+  stream.precision(4);
+  stream << threshold;
+  return stream.str();
 }
 
 /// Least and greatest finite value into the report; least > greatest if there is none.
@@ -114,7 +124,8 @@ Result<bool> CheckThresholds(const std::vector<double>& thresholds)
   return true;
 }
 
-Result<bool> CheckRange(const SegmentOptions& options, double least, double greatest)
+Result<bool> CheckRange(const GreyView& grey, const SegmentOptions& options, double least, double greatest,
+                        Monitor& monitor)
 {
   if (!(least <= greatest))
   {
@@ -128,8 +139,10 @@ Result<bool> CheckRange(const SegmentOptions& options, double least, double grea
   {
     if (threshold <= least || threshold > greatest)
     {
+      const auto [low, high] = HistogramThresholds(grey, least, greatest, monitor);
       return InvalidOption(Text("threshold ", threshold, " is outside the image's range ", least, " to ",
-                                greatest, ": one class would be empty; choose thresholds inside it"));
+                                greatest, ": one class would be empty; its histogram suggests ",
+                                Suggestion(low), " and ", Suggestion(high)));
     }
   }
   return true;
@@ -210,7 +223,7 @@ Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentR
     {
       return Cancelled();
     }
-    good = CheckRange(options, report.least, report.greatest);
+    good = CheckRange(grey, options, report.least, report.greatest, monitor);
   }
   return good ? CheckMask(grey, options.mask) : good;
 }
