@@ -74,6 +74,8 @@ def check_contents(tree):
         entries = re.findall(r"\((?:RUNPATH|RPATH)\)\s+Library r\w*path: \[(.*)\]", run(["readelf", "-d", path], LC_ALL="C"))
         places = [place for entry in entries for place in entry.split(":") if place]
         check(all(place.startswith("$ORIGIN") for place in places), f"{name} looks for libraries in {places}")
+    needed = run(["readelf", "-d", os.path.join(tree, PLUGIN, "Lamina.so")], LC_ALL="C")
+    check("Qt5" not in needed, "Lamina.so needs Qt, which a server may lack")
     print(len(names), "files")
 
 
