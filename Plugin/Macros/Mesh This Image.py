@@ -5,10 +5,6 @@ Grey images get thresholds from their histogram; images of materials (MaterialId
 are. Every stage stands in the pipeline browser afterwards: change its properties and press Apply.
 """
 from paraview import servermanager, simple
-from paraview.simple import (ColorBy, CoreTetrahedra, Delete, ExtractCellsByRegion, FeatureSize, FluidSolidMesh, GetActiveSource,
-                             GetActiveViewOrCreate, Hide, Histogram, LayeredTetrahedra, MeshAudit, MultimaterialMarchingCubes,
-                             MultimaterialSegmentation, OutputPort, PrismLayer, Render, ResetCamera, SetActiveSource, Show,
-                             SurfaceRefinement, VolumeConservingSmoothing)
 
 MOST_LABELS = 32
 BINS = 256
@@ -56,9 +52,9 @@ def two_thresholds(counts, edges):
 
 def thresholds_of(image, name):
     """Worked out where the data are, so that it also serves a remote server."""
-    histogram = Histogram(Input=image, SelectInputArray=["POINTS", name], BinCount=BINS)
+    histogram = simple.Histogram(Input=image, SelectInputArray=["POINTS", name], BinCount=BINS)
     rows = servermanager.Fetch(histogram).GetRowData()
-    Delete(histogram)
+    simple.Delete(histogram)
     count = rows.GetArray("bin_values")
     place = rows.GetArray("bin_extents")
     return two_thresholds([count.GetValue(i) for i in range(count.GetNumberOfTuples())],
@@ -79,19 +75,20 @@ def labels_of(image):
         return image
     thresholds = thresholds_of(image, name)
     say("Thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in thresholds))
-    return run(MultimaterialSegmentation(registrationName="Materials", Input=image, Thresholds=thresholds))
+    return run(simple.MultimaterialSegmentation(registrationName="Materials", Input=image, Thresholds=thresholds))
 
 
 def build(image):
     labels = labels_of(image)
-    cubes = run(MultimaterialMarchingCubes(registrationName="Interfaces", Input=labels))
-    smooth = run(VolumeConservingSmoothing(registrationName="Smooth", Input=cubes))
-    sized = run(FeatureSize(registrationName="Sizes", Input=smooth))
-    surface = run(SurfaceRefinement(registrationName="Surface", Input=sized))
-    parts = [LayeredTetrahedra(registrationName="Solids", Input=surface), PrismLayer(registrationName="Prisms", Input=surface)]
-    parts.append(CoreTetrahedra(registrationName="Core", Input=OutputPort(parts[1], 1)))
-    mesh = run(FluidSolidMesh(registrationName="Mesh", Input=parts, Surface=surface))
-    return run(MeshAudit(registrationName="Audit", Input=mesh, Surface=surface))
+    cubes = run(simple.MultimaterialMarchingCubes(registrationName="Interfaces", Input=labels))
+    smooth = run(simple.VolumeConservingSmoothing(registrationName="Smooth", Input=cubes))
+    sized = run(simple.FeatureSize(registrationName="Sizes", Input=smooth))
+    surface = run(simple.SurfaceRefinement(registrationName="Surface", Input=sized))
+    parts = [simple.LayeredTetrahedra(registrationName="Solids", Input=surface),
+             simple.PrismLayer(registrationName="Prisms", Input=surface)]
+    parts.append(simple.CoreTetrahedra(registrationName="Core", Input=simple.OutputPort(parts[1], 1)))
+    mesh = run(simple.FluidSolidMesh(registrationName="Mesh", Input=parts, Surface=surface))
+    return run(simple.MeshAudit(registrationName="Audit", Input=mesh, Surface=surface))
 
 
 def tell(audit):
@@ -106,7 +103,7 @@ def tell(audit):
 def show(audit, image):
     """The half of the mesh behind a plane through its middle, whole cells, by material."""
     bounds = audit.GetDataInformation().GetBounds()
-    half = ExtractCellsByRegion(registrationName="Cut", Input=audit)
+    half = simple.ExtractCellsByRegion(registrationName="Cut", Input=audit)
     half.IntersectWith = "Plane"
     half.IntersectWith.Origin = [0.5 * (bounds[2 * k] + bounds[2 * k + 1]) for k in range(3)]
     half.IntersectWith.Normal = [0, 1, 0]
@@ -114,25 +111,30 @@ def show(audit, image):
     half.Extractintersected = 1
     hide_widgets = getattr(simple, "HideInteractiveWidgets", None) or simple.Hide3DWidgets  # its name since 5.12, and before
     hide_widgets(proxy=half.IntersectWith)
-    view = GetActiveViewOrCreate("RenderView")
+    view = simple.GetActiveViewOrCreate("RenderView")
     for port in range(image.SMProxy.GetNumberOfOutputPorts()):
-        Hide(OutputPort(image, port), view)
-    shown = Show(half, view)
+        simple.Hide(simple.OutputPort(image, port), view)
+    shown = simple.Show(half, view)
     shown.Representation = "Surface With Edges" if audit.GetDataInformation().GetNumberOfCells() < MOST_EDGES else "Surface"
     shown.EdgeColor = [0.15, 0.15, 0.2]
-    ColorBy(shown, ("CELLS", "MaterialIds"))
+    simple.ColorBy(shown, ("CELLS", "MaterialIds"))
     view.CameraFocalPoint = half.IntersectWith.Origin
     view.CameraPosition = [half.IntersectWith.Origin[0], bounds[2] - 3 * (bounds[3] - bounds[2]), half.IntersectWith.Origin[2]]
     view.CameraViewUp = [0, 0, 1]
-    ResetCamera(view)
-    SetActiveSource(audit)  # not the cut, whose plane would stand before the mesh
-    Render(view)
+    simple.ResetCamera(view)
+    simple.SetActiveSource(audit)  # not the cut, whose plane would stand before the mesh
+    simple.Render(view)
 
 
 def main():
-    image = GetActiveSource()
+    image = simple.GetActiveSource()
     if image is None:
         say("Mesh This Image: select an image in the pipeline browser first, or make one: Sources > Lamina > Heart Phantom")
+        return
+    if not hasattr(simple, "CoreTetrahedra"):
+        simple._add_functions(vars(simple))  # the plugin was loaded after paraview.simple
+    if not hasattr(simple, "CoreTetrahedra"):
+        say("Mesh This Image: the plugin Lamina is not loaded: Tools > Manage Plugins")
         return
     try:
         image.UpdatePipeline()

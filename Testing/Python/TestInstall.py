@@ -60,6 +60,7 @@ def check_contents(tree):
     names = files_of(tree)
     for wanted in (f"{PLUGIN}/Lamina.so", f"{PLUGIN}/lamina-tetgen", f"{PLUGIN}/lamina/__init__.py", "bin/lamina-mesh",
                    "bin/lamina-audit", "bin/lamina-paraview", "share/lamina/scripts/image_to_mesh.py",
+                   "share/lamina/macros/Mesh This Image.py",
                    "share/lamina/lamina-run.sh", "share/doc/lamina/copyright", "share/doc/lamina/filters/prism-layer.md"):
         check(wanted in names, f"{wanted} is not installed")
     for name in names:
@@ -73,6 +74,8 @@ def check_contents(tree):
         entries = re.findall(r"\((?:RUNPATH|RPATH)\)\s+Library r\w*path: \[(.*)\]", run(["readelf", "-d", path], LC_ALL="C"))
         places = [place for entry in entries for place in entry.split(":") if place]
         check(all(place.startswith("$ORIGIN") for place in places), f"{name} looks for libraries in {places}")
+    needed = run(["readelf", "-d", os.path.join(tree, PLUGIN, "Lamina.so")], LC_ALL="C")
+    check("Qt5" not in needed, "Lamina.so needs Qt, which a server may lack")
     print(len(names), "files")
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be segmented, found before any work.
+#include "HistogramThresholds.h"
 #include "SegmentRules.h"
 
 #include "../Base/Text.h"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <sstream>
 
 namespace lamina
 {
@@ -16,6 +18,15 @@ namespace segment
 
 namespace
 {
+
+/// Four digits are enough for a threshold to start from.
+std::string Suggestion(double threshold)
+{
+  std::ostringstream stream;
+  stream.precision(4);
+  stream << threshold;
+  return stream.str();
+}
 
 /// Least and greatest finite value into the report; least > greatest if there is none.
 void FindRange(const GreyView& grey, SegmentReport& report, Monitor& monitor)
@@ -99,7 +110,8 @@ Result<bool> CheckThresholds(const std::vector<double>& thresholds)
   return true;
 }
 
-Result<bool> CheckRange(const SegmentOptions& options, double least, double greatest)
+Result<bool> CheckRange(const GreyView& grey, const SegmentOptions& options, double least, double greatest,
+                        Monitor& monitor)
 {
   if (!(least <= greatest))
   {
@@ -113,8 +125,10 @@ Result<bool> CheckRange(const SegmentOptions& options, double least, double grea
   {
     if (threshold <= least || threshold > greatest)
     {
+      const auto [low, high] = HistogramThresholds(grey, least, greatest, monitor);
       return InvalidOption(Text("threshold ", threshold, " is outside the image's range ", least, " to ",
-                                greatest, ": one class would be empty; choose thresholds inside it"));
+                                greatest, ": one class would be empty; its histogram suggests ",
+                                Suggestion(low), " and ", Suggestion(high)));
     }
   }
   return true;
@@ -195,7 +209,7 @@ Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentR
     {
       return Cancelled();
     }
-    good = CheckRange(options, report.least, report.greatest);
+    good = CheckRange(grey, options, report.least, report.greatest, monitor);
   }
   return good ? CheckMask(grey, options.mask) : good;
 }
