@@ -2,8 +2,8 @@
 // Thresholds from the histogram of an image, to be suggested.
 #pragma once
 
-#include "Base/Monitor.h"
-#include "Mesh/GreyView.h"
+#include "../Base/Monitor.h"
+#include "../Mesh/GreyView.h"
 
 #include <array>
 
