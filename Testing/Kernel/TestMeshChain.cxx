@@ -97,7 +97,7 @@ void ExpectAuditPasses(const VolumeMesh& mesh, const TriangleComplex& surface)
   for (const MaterialAudit& material : audit.materials)
   {
     EXPECT_EQ(material.components, 1) << material.material;
-    EXPECT_GT(material.tetQualityMin, 0.05) << material.material;
+    EXPECT_GT(material.tetQualityMin, 0.1) << material.material;
   }
 }
 
