@@ -188,7 +188,7 @@ int vtkMeshAudit::AuditGrid(vtkUnstructuredGrid* input, vtkPolyData* surface, vt
     {
       return audit.GetError();
     }
-    if (withSurface)
+    if (all.surface != nullptr)
     {
       TakeWhatTravelled(surface->GetFieldData(), this->SurfaceScale, audit->report);
     }
