@@ -45,7 +45,8 @@ def stages():
     s["depth"] = simple.WallDepth(Input=s["tets"])
     s["smooth"].UpdatePipeline()
     bounds = s["smooth"].GetDataInformation().GetBounds()
-    s["vessel cut"] = simple.VesselCut(Input=s["smooth"], Origin=[0, 0, bounds[4] + 0.7 * (bounds[5] - bounds[4])], Normal=[0.3, -0.1, 1])
+    s["vessel cut"] = simple.VesselCut(Input=s["smooth"], Normal=[0.3, -0.1, 1], Origin=[
+        0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), bounds[4] + 0.6 * (bounds[5] - bounds[4])])
     for stage in s.values():
         stage.UpdatePipeline()
     return s

@@ -43,7 +43,7 @@ def build():
     s.QuadraticCells(registrationName="QuadraticCells", Input=tets, Surface=smooth, SurfaceScale=0.001, LargestOffset=0.2)
     s.RuleBasedFibers(registrationName="RuleBasedFibers", Input=tets, EndocardialHelixAngle=50.0, MuscleMaterials=[1])
     s.WallDepth(registrationName="WallDepth", Input=tets, InnerWalls="1-2")
-    s.VesselCut(registrationName="VesselCut", Input=smooth, Origin=[0.0, 0.0, 0.0], Normal=[0.2, 0.1, 1.0], Name="top")
+    s.VesselCut(registrationName="VesselCut", Input=smooth, Origin=[52.0, 45.0, 68.0], Normal=[0.3, -0.1, 1.0], Name="top")
     return [mask, audit]
 
 
