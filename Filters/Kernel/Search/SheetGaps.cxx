@@ -73,13 +73,6 @@ public:
     , Any(triangles.size(), cutoff * cutoff)
     , Facing(triangles.size(), cutoff * cutoff)
   {
-    this->Normals.reserve(triangles.size());
-    for (const Triangle& t : triangles)
-    {
-      const Vec3 n = Normalized(AreaVector2(points, t));
-      this->Normals.push_back(
-        { { static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z) } });
-    }
     this->HalfLength.reserve(table.edges.size());
     for (std::size_t e = 0; e < table.edges.size(); ++e)
     {
@@ -109,9 +102,9 @@ private:
   void Note(Id s, Id t, double distance2, const Vec3& connection);
   bool Faces(Id t, const Vec3& connection, double distance2) const
   {
-    const auto& n = this->Normals[At(t)];
-    const double along = n[0] * connection.x + n[1] * connection.y + n[2] * connection.z;
-    return along * along >= facingSine * facingSine * distance2;
+    const Vec3 n = AreaVector2(this->Points, this->Triangles[At(t)]);
+    const double along = Dot(n, connection);
+    return along * along >= facingSine * facingSine * distance2 * Norm2(n);
   }
 
   const std::vector<Vec3>& Points;
@@ -123,8 +116,7 @@ private:
   std::vector<std::array<std::int32_t, 3>> EdgesOf; ///< opposite to each corner
   std::vector<unsigned char> Owned; ///< bits of the edges, then of the corners, that a triangle measures
   std::vector<float> HalfLength;    ///< of edges, rounded up
-  std::vector<std::array<float, 3>> Normals;
-  Minima Any; ///< squared, of triangles
+  Minima Any;                       ///< squared, of triangles
   Minima Facing;
 };
 

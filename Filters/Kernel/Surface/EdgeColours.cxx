@@ -51,9 +51,12 @@ std::vector<std::vector<Relaxable>> ColourEdges(const SmoothingState& s, const s
   std::vector<Mask> read(s.surface.points.size(), Mask{});
   std::vector<std::vector<Relaxable>> classes(colours);
   std::vector<Id> reach;
+  std::vector<Id> reachedBy(s.surface.points.size(), 0); // the number of the edge, from 1
+  Id number = 0;
   for (const Relaxable which : chosen)
   {
     const Edge edge = EndsOf(s, which);
+    ++number;
     reach.clear();
     for (Id end : { edge.a, edge.b })
     {
@@ -63,11 +66,17 @@ std::vector<std::vector<Relaxable>> ColourEdges(const SmoothingState& s, const s
       }
       for (Id q : Row(s.ring, end))
       {
-        reach.insert(reach.end(), s.ring.Begin(q), s.ring.End(q));
+        for (const Id r : Row(s.ring, q))
+        {
+          Id& last = reachedBy[static_cast<std::size_t>(r)];
+          if (last != number)
+          {
+            last = number;
+            reach.push_back(r);
+          }
+        }
       }
     }
-    std::sort(reach.begin(), reach.end());
-    reach.erase(std::unique(reach.begin(), reach.end()), reach.end());
     int colour = -1;
     for (std::size_t w = 0; w < Mask{}.size() && colour < 0; ++w)
     {

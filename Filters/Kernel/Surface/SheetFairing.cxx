@@ -12,7 +12,7 @@ namespace
 
 constexpr double TwoPi = 6.283185307179586;
 constexpr Id Block = 8192; ///< points that are summed in one go
-constexpr double tolerance = 1e-5;
+constexpr double tolerance = 1e-4;
 constexpr int mostIterations = 1000;
 
 /// Cotangents beyond these belong to triangles too thin to tell a curvature.

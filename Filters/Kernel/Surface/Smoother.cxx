@@ -385,7 +385,9 @@ bool Smoother::ReachVolumes(const std::vector<double>& goals, std::vector<char> 
 bool Smoother::Phase(int sweeps, SmoothSurfaceReport& report, Monitor& monitor)
 {
   // Later moves are short: they need no wide berth, and measuring one costs time.
-  this->StartPhase(report.sweepsDone < sweepsBeforeLevelling ? this->Unit : 0.6 * this->Unit, monitor);
+  const double reach =
+    report.sweepsDone < sweepsBeforeLevelling ? 1 : (report.sweepsDone < sweepsBeforeSettled ? 0.6 : 0.4);
+  this->StartPhase(reach * this->Unit, monitor);
   if (report.sweepsDone >= sweepsBeforeGivingBack && !this->GaveBack)
   {
     this->GiveBack(monitor);
