@@ -65,7 +65,7 @@ def draw(path):
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "audit_picture.py")
     command = ["pvpython", "--no-mpi", script, path, path + ".audit.png"]
     if not os.environ.get("DISPLAY"):
-        command = ["xvfb-run", "-a", "-n", str(100 + os.getpid() % 800)] + command
+        command = ["xvfb-run", "-a", "-n", str(100 + os.getpid() % 800), "-s", "-screen 0 1280x1024x24 -noreset"] + command
     done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
     return [path + ".audit.png"] if done.returncode == 0 and os.path.isfile(path + ".audit.png") else []
 

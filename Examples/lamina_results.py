@@ -94,7 +94,7 @@ class Results:
         command = ["pvpython", "--no-mpi", script, self.pipeline.scratch]
         if not os.environ.get("DISPLAY"):
             # A number of our own: the server of somebody who has just left :99 may still be dying.
-            command = ["xvfb-run", "-a", "-n", str(100 + os.getpid() % 800)] + command
+            command = ["xvfb-run", "-a", "-n", str(100 + os.getpid() % 800), "-s", "-screen 0 1280x1024x24 -noreset"] + command
         self.pipeline.begin("Pictures")
         for _ in range(2):  # on a busy machine a virtual X server may be late
             try:

@@ -9,4 +9,4 @@ lamina_find
 PYTHONPATH=$(dirname -- "$LAMINA_PLUGIN")${PYTHONPATH:+:$PYTHONPATH}
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONPATH PYTHONDONTWRITEBYTECODE
-exec xvfb-run -a -n $((100 + $$ % 800)) pvpython --no-mpi "$here/draw-pages.py" "$@"
+exec xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1280x1024x24 -noreset" pvpython --no-mpi "$here/draw-pages.py" "$@"

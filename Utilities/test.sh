@@ -19,5 +19,5 @@ esac
 cd "$root/build/release"
 status=0
 # shellcheck disable=SC2086
-xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1400x900x24" ctest $label --output-on-failure -j "$(nproc)" || status=$?
+xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1400x900x24 -noreset" ctest $label --output-on-failure -j "$(nproc)" || status=$?
 exit $status
