@@ -54,9 +54,10 @@ inline LabelImage RandomLabels(Id n, int labels, unsigned seed, int blurs)
                       });
 }
 
-/// Smooths the image's surface with `sweeps` and expects every guarantee.
+/// Smooths the image's surface with `sweeps` and expects every guarantee. In pure noise a piece of 100 voxels
+/// may be too ragged for safe moves to its volume: then it has to be listed.
 inline void ExpectGuarantees(const LabelImage& image, const TriangleComplex& start, int sweeps,
-                             const std::string& what)
+                             const std::string& what, bool isNoise = false)
 {
   ThreadMonitor monitor(2);
   TriangleComplex surface = start;
@@ -68,7 +69,9 @@ inline void ExpectGuarantees(const LabelImage& image, const TriangleComplex& sta
   EXPECT_EQ(report->certificate.intersectingPairs, 0) << what;
   EXPECT_GE(report->certificate.leastClearance, (1 - 1e-6) * 0.25) << what;
   EXPECT_GE(report->certificate.leastAngle, 10) << what;
-  EXPECT_LE(report->largestPieceError, 1e-12) << what << ": " << report->missedPieces.size() << " missed";
+  EXPECT_LE(report->largestPieceError, isNoise ? 1e-4 : 1e-12)
+    << what << ": " << report->missedPieces.size() << " missed";
+  EXPECT_TRUE(report->largestPieceError <= 1e-9 || !report->missedPieces.empty()) << what;
   // A flipped triangle would lie back on its neighbours: the angles tell.
   for (const Triangle& t : surface.triangles)
   {

@@ -32,7 +32,8 @@ void ExpectForRandomImages(unsigned first, unsigned count, const std::vector<int
     {
       checks::ExpectGuarantees(image, surface, n,
                                std::to_string(labels) + " labels, seed " + std::to_string(seed) +
-                                 ", blurred " + std::to_string(blurs) + ", " + std::to_string(n) + " sweeps");
+                                 ", blurred " + std::to_string(blurs) + ", " + std::to_string(n) + " sweeps",
+                               blurs == 0);
     }
   }
 }
