@@ -6,10 +6,10 @@
  * Input, port 0: a 3-D vtkImageData with MaterialIds on its points (or one array of whole numbers from 0 to
  * 65,535). Origin, spacing and direction are honoured; what lies outside the image is background (0). Port 1,
  * optional: a vtkImageData of the same size, the region of interest (not 0 inside), which OpenAtMaskBorder
- * refers to. Port 2, optional: a vtkImageData of the same size with grey values of any number type in one array
- * (or in Intensity), NaN where nothing is known. With it the surface cuts between two voxels where the grey
- * values, linear between them, pass from one material to the other (the value that parts most of their faces)
- * instead of midway, and materials have their partial volumes.
+ * refers to. Port 2, optional: a vtkImageData of the same size with grey values of any number type in one
+ * array (or in Intensity), NaN where nothing is known. With it the surface cuts between two voxels where the
+ * grey values, linear between them, pass from one material to the other (the value that parts most of their
+ * faces) instead of midway, and materials have their partial volumes.
  *
  * Output: vtkPolyData of triangles with BoundaryLabels (int x2: the normal points from component 0 to
  * component 1, background is component 1, else ascending) and PatchIds (int, 0 a wall, else an opening; names
@@ -17,7 +17,8 @@
  * points. MissingVolume (double x2) on the triangles, where labels were repaired: the volume that the first
  * and the second material have in the image and lack there, in cubes of the square root of the triangle's
  * area; vtkVolumeConservingSmoothing gives it back. ImageVolumes in the field data: material ids and the
- * volumes of their voxels (partial volumes with grey values). Points are doubles in world coordinates, in the image's unit of length.
+ * volumes of their voxels (partial volumes with grey values). Points are doubles in world coordinates, in the
+ * image's unit of length.
  *
  * Marching cubes for any number of materials in the manner of S. Wu and J. M. Sullivan, Multiple material
  * marching cubes algorithm, Int. J. Numer. Meth. Eng. 58 (2003) 189-207, doi:10.1002/nme.775: points are
@@ -80,8 +81,8 @@ public:
   ///@{
   /**
    * Whether points closer together than 0.8 voxels are merged, for fewer and better triangles; topology,
-   * junction curves and planes stay, and what changes in volume is noted as MissingVolume. Voxel faces have no
-   * such points, the cuts of grey values have. Default: on.
+   * junction curves and planes stay, and what changes in volume is noted as MissingVolume. Voxel faces have
+   * no such points, the cuts of grey values have. Default: on.
    */
   vtkSetMacro(ClusterPoints, bool);
   vtkGetMacro(ClusterPoints, bool);
