@@ -19,7 +19,7 @@ clean_debian() {
   clean=$folder/$2
   if [ ! -f "$base/made" ]; then
     rm -rf "$base"
-    "$debootstrap" --variant=minbase bookworm "$base" http://deb.debian.org/debian
+    "$debootstrap" --variant=minbase bookworm "$base"
     touch "$base/made"
   fi
   umount "$clean/proc" 2>/dev/null || true

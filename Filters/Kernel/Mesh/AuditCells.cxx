@@ -21,17 +21,6 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
-template<std::size_t N>
-std::array<Vec3, N> Nodes(const VolumeMesh& mesh, Id cell)
-{
-  std::array<Vec3, N> nodes;
-  for (std::size_t k = 0; k < N; ++k)
-  {
-    nodes[k] = mesh.points[Index(mesh.Cell(cell)[k])];
-  }
-  return nodes;
-}
-
 struct CellMeasure
 {
   bool isValid = false;
@@ -45,17 +34,17 @@ CellMeasure Measure(const VolumeMesh& mesh, Id cell)
   {
     case CellType::Wedge:
     {
-      const auto n = Nodes<6>(mesh, cell);
+      const auto n = PlacesOf<6>(mesh, cell);
       return { WedgeIsValid(n), WedgeQuality(n), WedgeVolume(n) };
     }
     case CellType::Pyramid:
     {
-      const auto n = Nodes<5>(mesh, cell);
+      const auto n = PlacesOf<5>(mesh, cell);
       return { PyramidIsValid(n), PyramidQuality(n), PyramidVolume(n) };
     }
     default:
     {
-      const auto n = Nodes<4>(mesh, cell);
+      const auto n = PlacesOf<4>(mesh, cell);
       return { Orientation(n[0], n[1], n[2], n[3]) > 0, TetQuality(n[0], n[1], n[2], n[3]),
                TetVolume(n[0], n[1], n[2], n[3]) };
     }

@@ -23,27 +23,16 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
-template<std::size_t N>
-std::array<Vec3, N> Nodes(const VolumeMesh& mesh, Id cell)
-{
-  std::array<Vec3, N> nodes;
-  for (std::size_t k = 0; k < N; ++k)
-  {
-    nodes[k] = mesh.points[Index(mesh.Cell(cell)[k])];
-  }
-  return nodes;
-}
-
 Location Locate(const VolumeMesh& mesh, Id cell, const Vec3& p)
 {
   switch (mesh.types[Index(cell)])
   {
     case CellType::Wedge:
-      return LocateInWedge(Nodes<6>(mesh, cell), p);
+      return LocateInWedge(PlacesOf<6>(mesh, cell), p);
     case CellType::Pyramid:
-      return LocateInPyramid(Nodes<5>(mesh, cell), p);
+      return LocateInPyramid(PlacesOf<5>(mesh, cell), p);
     default:
-      return LocateInTet(Nodes<4>(mesh, cell), p);
+      return LocateInTet(PlacesOf<4>(mesh, cell), p);
   }
 }
 

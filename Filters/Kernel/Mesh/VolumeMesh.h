@@ -52,4 +52,16 @@ struct VolumeMesh
   }
 };
 
+/// Where the N nodes of a cell lie.
+template<std::size_t N>
+std::array<Vec3, N> PlacesOf(const VolumeMesh& mesh, Id cell)
+{
+  std::array<Vec3, N> places;
+  for (std::size_t k = 0; k < N; ++k)
+  {
+    places[k] = mesh.points[static_cast<std::size_t>(mesh.Cell(cell)[k])];
+  }
+  return places;
+}
+
 } // namespace lamina

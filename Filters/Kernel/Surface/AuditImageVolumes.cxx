@@ -19,28 +19,17 @@ std::size_t Index(Id id)
   return static_cast<std::size_t>(id);
 }
 
-template<std::size_t N>
-std::array<Vec3, N> Nodes(const VolumeMesh& mesh, Id cell)
-{
-  std::array<Vec3, N> nodes;
-  for (std::size_t k = 0; k < N; ++k)
-  {
-    nodes[k] = mesh.points[Index(mesh.Cell(cell)[k])];
-  }
-  return nodes;
-}
-
 double VolumeOf(const VolumeMesh& mesh, Id cell)
 {
   switch (mesh.types[Index(cell)])
   {
     case CellType::Wedge:
-      return WedgeVolume(Nodes<6>(mesh, cell));
+      return WedgeVolume(PlacesOf<6>(mesh, cell));
     case CellType::Pyramid:
-      return PyramidVolume(Nodes<5>(mesh, cell));
+      return PyramidVolume(PlacesOf<5>(mesh, cell));
     default:
     {
-      const auto n = Nodes<4>(mesh, cell);
+      const auto n = PlacesOf<4>(mesh, cell);
       return TetVolume(n[0], n[1], n[2], n[3]);
     }
   }

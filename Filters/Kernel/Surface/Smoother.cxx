@@ -32,6 +32,7 @@ constexpr double missedFrom = 1e-12;
 /// Between phases a rest of volume may wait for the next one, at the end it may not.
 constexpr Patience patience{ 10, 0.5 };
 constexpr Patience lastPatience{ 40, 0.9 };
+constexpr int mostGivingUps = 6;    ///< rounds in which small pieces keep what they have
 constexpr double largestStep = 0.2; ///< of a volume at once
 /// Before this many sweeps the moves do not tell yet whether more of them help.
 constexpr int sweepsBeforeSettled = 12;
@@ -316,26 +317,32 @@ void Smoother::GiveBack(Monitor& monitor)
 
 /// Newton's method for the volumes of all regions, in steps that the guard allows. Points flagged in `held`
 /// (or none if it is empty) stay. Small pieces whose volume is out of reach would keep their neighbours from
-/// theirs: in a second round they only keep what they have. What is not reached is left for the next phase.
+/// theirs: they only keep what they have then, and so on, as what that frees may take others from theirs.
+/// What is not reached is left for the next phase.
 void Smoother::HoldVolumes(const std::vector<char>& held, Patience patience, Monitor& monitor)
 {
   std::vector<double> goals = this->Goal.volumes;
-  if (this->ReachVolumes(goals, held, patience, monitor))
+  for (int round = 0; round < mostGivingUps; ++round)
   {
-    return;
-  }
-  const std::vector<double> volumes = ShellVolumes(this->State.surface, this->Goal.regions);
-  bool someLeft = false;
-  for (std::size_t r = 0; r < goals.size(); ++r)
-  {
-    const bool isMissed = std::abs(goals[r] - volumes[r]) > missedFrom * this->WeightOf(goals[r]);
-    const bool isSmall = std::abs(goals[r]) < this->WeightOf(0);
-    goals[r] = isMissed && isSmall ? volumes[r] : goals[r];
-    someLeft = someLeft || (isMissed && !isSmall);
-  }
-  if (someLeft)
-  {
-    this->ReachVolumes(goals, held, patience, monitor);
+    if (this->ReachVolumes(goals, held, patience, monitor))
+    {
+      return;
+    }
+    const std::vector<double> volumes = ShellVolumes(this->State.surface, this->Goal.regions);
+    bool gaveUp = false;
+    bool someLeft = false;
+    for (std::size_t r = 0; r < goals.size(); ++r)
+    {
+      const bool isMissed = std::abs(goals[r] - volumes[r]) > missedFrom * this->WeightOf(goals[r]);
+      const bool isSmall = std::abs(goals[r]) < this->WeightOf(0);
+      goals[r] = isMissed && isSmall ? volumes[r] : goals[r];
+      gaveUp = gaveUp || (isMissed && isSmall);
+      someLeft = someLeft || (isMissed && !isSmall);
+    }
+    if (!gaveUp || !someLeft)
+    {
+      return;
+    }
   }
 }
 
