@@ -126,7 +126,7 @@ void ExpectGood(const TriangleComplex& surface, int material, const std::string&
     walls += SideOf(surface.materials[t], material) != 0 ? 1 : 0;
     full += SideOf(surface.materials[t], material) != 0 && onSurface.achieved[t] == options.layers ? 1 : 0;
   }
-  // One in a thousand may be worse: fairing is undone as a whole where it would cost a column.
+  // One in a thousand may be worse: on the cone of 45 degrees one prism is.
   EXPECT_LE(bad, walls / 1000) << what;
   EXPECT_GE(static_cast<double>(full), 0.99 * static_cast<double>(walls)) << what;
   VolumeMesh core;
