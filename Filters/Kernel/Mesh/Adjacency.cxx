@@ -56,6 +56,14 @@ EdgeTable MakeEdgeTable(const std::vector<Triangle>& triangles)
             [](const Use& u, const Use& v)
             { return u.a != v.a ? u.a < v.a : (u.b != v.b ? u.b < v.b : u.triangle < v.triangle); });
   EdgeTable table;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    count += i == 0 || uses[i].a != uses[i - 1].a || uses[i].b != uses[i - 1].b ? 1 : 0;
+  }
+  table.edges.reserve(count);
+  table.triangles.offsets.reserve(count + 1);
+  table.triangles.data.reserve(uses.size());
   for (const Use& use : uses)
   {
     if (table.edges.empty() || table.edges.back().a != use.a || table.edges.back().b != use.b)

@@ -17,12 +17,21 @@ double HalfArea(const Box& box)
   return e.x < 0 ? 0 : e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
-/// What the build needs of a triangle.
-struct Item
+/// Boxes in an order that is being made: only their numbers move.
+struct Boxes
 {
-  Box box;
-  Vec3 centre;
-  Id id = 0;
+  std::vector<Box> all;
+  std::vector<Id> order;
+
+  const Box& At(std::int64_t i) const
+  {
+    return this->all[static_cast<std::size_t>(this->order[static_cast<std::size_t>(i)])];
+  }
+  double Centre(Id box, int axis) const
+  {
+    const Box& own = this->all[static_cast<std::size_t>(box)];
+    return 0.5 * (own.low[axis] + own.high[axis]);
+  }
 };
 
 struct Bin
@@ -31,10 +40,10 @@ struct Bin
   std::int64_t count = 0;
 };
 
-int BinOf(const Item& item, const Box& centres, int axis)
+int BinOf(double centre, const Box& centres, int axis)
 {
   const double extent = centres.high[axis] - centres.low[axis];
-  const int bin = static_cast<int>(BinCount * ((item.centre[axis] - centres.low[axis]) / extent));
+  const int bin = static_cast<int>(BinCount * ((centre - centres.low[axis]) / extent));
   return std::clamp(bin, 0, BinCount - 1);
 }
 
@@ -76,37 +85,39 @@ int LongestAxis(const Box& box)
 
 /// Parts [begin, end) in two, neither empty, and returns where the second starts. Deep down the tree by the
 /// median, so that no input makes it deeper than the stacks of the queries.
-std::int64_t Part(std::vector<Item>& items, std::int64_t begin, std::int64_t end, int depth)
+std::int64_t Part(Boxes& boxes, std::int64_t begin, std::int64_t end, int depth)
 {
   Box centres;
   for (std::int64_t i = begin; i < end; ++i)
   {
-    centres.Add(items[static_cast<std::size_t>(i)].centre);
+    centres.Add(0.5 * (boxes.At(i).low + boxes.At(i).high));
   }
   const int axis = LongestAxis(centres);
+  const auto first = boxes.order.begin();
   if (depth < tree::SplitByCost && centres.high[axis] > centres.low[axis])
   {
+    const auto binOf = [&](Id box) { return BinOf(boxes.Centre(box, axis), centres, axis); };
     std::array<Bin, BinCount> bins;
     for (std::int64_t i = begin; i < end; ++i)
     {
-      const Item& item = items[static_cast<std::size_t>(i)];
-      Bin& bin = bins[static_cast<std::size_t>(BinOf(item, centres, axis))];
-      bin.box.Add(item.box);
+      Bin& bin = bins[static_cast<std::size_t>(binOf(first[i]))];
+      bin.box.Add(boxes.At(i));
       ++bin.count;
     }
     const int last = CheapestSplit(bins);
     if (last >= 0)
     {
-      const auto middle =
-        std::stable_partition(items.begin() + begin, items.begin() + end,
-                              [&](const Item& item) { return BinOf(item, centres, axis) <= last; });
-      return middle - items.begin();
+      return std::stable_partition(first + begin, first + end, [&](Id box) { return binOf(box) <= last; }) -
+             first;
     }
   }
   const std::int64_t middle = begin + (end - begin) / 2;
-  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                   [axis](const Item& a, const Item& b) {
-                     return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.id < b.id;
+  std::nth_element(first + begin, first + middle, first + end,
+                   [&](Id a, Id b)
+                   {
+                     const double x = boxes.Centre(a, axis);
+                     const double y = boxes.Centre(b, axis);
+                     return x != y ? x < y : a < b;
                    });
   return middle;
 }
@@ -146,53 +157,50 @@ TriangleTree::TriangleTree(const std::vector<Vec3>& points, const std::vector<Tr
 
 void TriangleTree::Build()
 {
-  std::vector<Item> items;
-  items.reserve(this->Order.size());
-  for (Id id : this->Order)
-  {
-    const Box box = BoxOf(this->Points, this->Triangles[static_cast<std::size_t>(id)]);
-    items.push_back({ box, 0.5 * (box.low + box.high), id });
-  }
-  if (items.empty())
+  if (this->Order.empty())
   {
     return;
+  }
+  Boxes boxes;
+  boxes.all.reserve(this->Order.size());
+  boxes.order.reserve(this->Order.size());
+  for (Id id : this->Order)
+  {
+    boxes.order.push_back(static_cast<Id>(boxes.all.size()));
+    boxes.all.push_back(BoxOf(this->Points, this->Triangles[static_cast<std::size_t>(id)]));
   }
   struct Task
   {
     std::int64_t node;
     int depth;
   };
-  Node root;
-  root.end = static_cast<std::int64_t>(items.size());
-  this->Nodes.reserve(items.size());
-  this->Nodes.push_back(root);
+  const auto leaf = [](std::int64_t begin, std::int64_t end) { return Node{ {}, begin, end - begin }; };
+  this->Nodes.reserve(boxes.all.size());
+  this->Nodes.push_back(leaf(0, static_cast<std::int64_t>(boxes.all.size())));
   std::vector<Task> tasks{ { 0, 0 } };
   while (!tasks.empty())
   {
     const Task task = tasks.back();
     tasks.pop_back();
     Node& node = this->Nodes[static_cast<std::size_t>(task.node)];
-    if (node.end - node.begin <= LeafSize)
+    if (node.count <= LeafSize)
     {
       continue;
     }
-    Node left;
-    Node right;
-    left.begin = node.begin;
-    left.end = right.begin = Part(items, node.begin, node.end, task.depth);
-    right.end = node.end;
-    node.begin = node.end = 0;
-    node.left = static_cast<std::int64_t>(this->Nodes.size());
-    node.right = node.left + 1;
-    tasks.push_back({ node.right, task.depth + 1 });
-    tasks.push_back({ node.left, task.depth + 1 });
-    this->Nodes.push_back(left);
-    this->Nodes.push_back(right);
+    const std::int64_t begin = node.first;
+    const std::int64_t end = begin + node.count;
+    const std::int64_t middle = Part(boxes, begin, end, task.depth);
+    node.first = static_cast<std::int64_t>(this->Nodes.size());
+    node.count = 0;
+    tasks.push_back({ node.Right(), task.depth + 1 });
+    tasks.push_back({ node.Left(), task.depth + 1 });
+    this->Nodes.push_back(leaf(begin, middle));
+    this->Nodes.push_back(leaf(middle, end));
   }
-  for (std::size_t i = 0; i < items.size(); ++i)
-  {
-    this->Order[i] = items[i].id;
-  }
+  boxes.all = {};
+  const auto ordered = [&](Id i) { return this->Order[static_cast<std::size_t>(i)]; };
+  std::transform(boxes.order.begin(), boxes.order.end(), boxes.order.begin(), ordered);
+  this->Order = std::move(boxes.order);
   this->Refit();
 }
 
@@ -202,15 +210,15 @@ void TriangleTree::Refit()
   for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)
   {
     node->box = Box{};
-    for (std::int64_t i = node->begin; i < node->end; ++i)
+    for (std::int64_t i = node->first; i < node->first + node->count; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
       node->box.Add(BoxOf(this->Points, this->Triangles[static_cast<std::size_t>(id)]));
     }
-    if (node->left >= 0)
+    if (node->HasChildren())
     {
-      node->box.Add(this->Nodes[static_cast<std::size_t>(node->left)].box);
-      node->box.Add(this->Nodes[static_cast<std::size_t>(node->right)].box);
+      node->box.Add(this->Nodes[static_cast<std::size_t>(node->Left())].box);
+      node->box.Add(this->Nodes[static_cast<std::size_t>(node->Right())].box);
     }
   }
 }
@@ -249,7 +257,7 @@ TriangleTree::Closest TriangleTree::ClosestPoint(const Vec3& p, double limit2) c
       continue;
     }
     const Node& node = this->Nodes[static_cast<std::size_t>(step.node)];
-    for (std::int64_t i = node.begin; i < node.end; ++i)
+    for (std::int64_t i = node.first; i < node.first + node.count; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
       const Closest found = this->ClosestOnTriangle(id, p);
@@ -259,10 +267,10 @@ TriangleTree::Closest TriangleTree::ClosestPoint(const Vec3& p, double limit2) c
         best = found;
       }
     }
-    if (node.left >= 0)
+    if (node.HasChildren())
     {
-      Step near{ node.left, this->Nodes[static_cast<std::size_t>(node.left)].box.Distance2(p) };
-      Step far{ node.right, this->Nodes[static_cast<std::size_t>(node.right)].box.Distance2(p) };
+      Step near{ node.Left(), this->Nodes[static_cast<std::size_t>(node.Left())].box.Distance2(p) };
+      Step far{ node.Right(), this->Nodes[static_cast<std::size_t>(node.Right())].box.Distance2(p) };
       if (far.distance2 < near.distance2)
       {
         std::swap(near, far);

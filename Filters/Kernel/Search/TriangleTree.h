@@ -74,10 +74,13 @@ private:
   struct Node
   {
     Box box;
-    std::int64_t left = -1; ///< child index; leaves: -1
-    std::int64_t right = -1;
-    std::int64_t begin = 0; ///< range in Order, leaves only
-    std::int64_t end = 0;
+    std::int64_t first =
+      0; ///< leaves: where their range in Order starts; else the left child, the right is next
+    std::int64_t count = 0; ///< of triangles; 0 if there are children
+
+    bool HasChildren() const { return this->count == 0; }
+    std::int64_t Left() const { return this->first; }
+    std::int64_t Right() const { return this->first + 1; }
   };
   void Build();
 

@@ -107,7 +107,7 @@ TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& directi
       continue;
     }
     const Node& node = this->Nodes[static_cast<std::size_t>(here.node)];
-    for (std::int64_t i = node.begin; i < node.end; ++i)
+    for (std::int64_t i = node.first; i < node.first + node.count; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
       const Triangle& c = this->Triangles[static_cast<std::size_t>(id)];
@@ -120,10 +120,10 @@ TriangleTree::Hit TriangleTree::FirstHit(const Vec3& origin, const Vec3& directi
         best = { id, t };
       }
     }
-    if (node.left >= 0)
+    if (node.HasChildren())
     {
-      Step near = step(node.left);
-      Step far = step(node.right);
+      Step near = step(node.Left());
+      Step far = step(node.Right());
       if (!(near.entry <= far.entry))
       {
         std::swap(near, far);
@@ -149,7 +149,7 @@ bool TriangleTree::FindNear(const Vec3& p, double limit2, Visit&& visit) const
   while (top > 0)
   {
     const Node& node = this->Nodes[static_cast<std::size_t>(stack[--top])];
-    for (std::int64_t i = node.begin; i < node.end; ++i)
+    for (std::int64_t i = node.first; i < node.first + node.count; ++i)
     {
       const Closest found = this->ClosestOnTriangle(this->Order[static_cast<std::size_t>(i)], p);
       if (found.distance2 <= limit2 && visit(found))
@@ -157,18 +157,18 @@ bool TriangleTree::FindNear(const Vec3& p, double limit2, Visit&& visit) const
         return true;
       }
     }
-    if (node.left >= 0)
+    if (node.HasChildren())
     {
-      const double left = distance2(node.left);
-      const double right = distance2(node.right);
+      const double left = distance2(node.Left());
+      const double right = distance2(node.Right());
       const bool leftFirst = left <= right;
       if (std::max(left, right) <= limit2)
       {
-        stack[top++] = leftFirst ? node.right : node.left;
+        stack[top++] = leftFirst ? node.Right() : node.Left();
       }
       if (std::min(left, right) <= limit2)
       {
-        stack[top++] = leftFirst ? node.left : node.right;
+        stack[top++] = leftFirst ? node.Left() : node.Right();
       }
     }
   }
@@ -191,7 +191,7 @@ void TriangleTree::ForOverlaps(const Box& box, Visit&& visit) const
     {
       continue;
     }
-    for (std::int64_t i = node.begin; i < node.end; ++i)
+    for (std::int64_t i = node.first; i < node.first + node.count; ++i)
     {
       const Id id = this->Order[static_cast<std::size_t>(i)];
       Box own;
@@ -204,10 +204,10 @@ void TriangleTree::ForOverlaps(const Box& box, Visit&& visit) const
         return;
       }
     }
-    if (node.left >= 0)
+    if (node.HasChildren())
     {
-      stack[static_cast<std::size_t>(top++)] = node.right;
-      stack[static_cast<std::size_t>(top++)] = node.left;
+      stack[static_cast<std::size_t>(top++)] = node.Right();
+      stack[static_cast<std::size_t>(top++)] = node.Left();
     }
   }
 }

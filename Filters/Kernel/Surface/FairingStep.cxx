@@ -234,7 +234,7 @@ void MoveSafely(SmoothingState& state, const MoveGuard& guard, std::vector<Vec3>
   }
 }
 
-void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vector<double>& volumes,
+void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::function<double(Id)>& volumeOf,
                    double distance, Monitor& monitor)
 {
   const TriangleComplex& surface = state.surface;
@@ -255,10 +255,14 @@ void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vec
       normals[static_cast<std::size_t>(p)] += area;
       corners += free[static_cast<std::size_t>(p)];
     }
+    if (corners == 0)
+    {
+      continue;
+    }
+    const double volume = volumeOf(static_cast<Id>(t)) / corners;
     for (const Id p : triangle)
     {
-      const bool takes = free[static_cast<std::size_t>(p)] != 0;
-      sources[static_cast<std::size_t>(p)] += takes ? volumes[t] / corners : 0;
+      sources[static_cast<std::size_t>(p)] += free[static_cast<std::size_t>(p)] != 0 ? volume : 0;
     }
   }
   const std::vector<double> offsets = SheetFairing(state, monitor).Spread(sources, free, distance);

@@ -5,6 +5,8 @@
 #include "../Base/Monitor.h"
 #include "MoveGuard.h"
 
+#include <functional>
+
 namespace lamina
 {
 
@@ -19,7 +21,7 @@ std::vector<char> LevelWaves(SmoothingState& state, const MoveGuard& guard, doub
 
 /// Moves the points inside the sheets along their normals, by volumes that are given for triangles (towards
 /// the normal) and spread over about `distance`, as far as the guard allows.
-void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::vector<double>& volumes,
+void SpreadVolumes(SmoothingState& state, const MoveGuard& guard, const std::function<double(Id)>& volumeOf,
                    double distance, Monitor& monitor);
 
 /// Moves all points at once; those that offend go half as far, twice, then stay, until the guard has nothing

@@ -129,24 +129,20 @@ bool MoveGuard::KeepsTriangle(Id t) const
 }
 
 /// True if two triangles at the edge stand closer than they may and closer than they did at `before`.
-bool MoveGuard::Closes(Id e, const std::vector<Vec3>& before) const
+bool MoveGuard::Closes(const Edge& edge, const std::vector<Vec3>& before) const
 {
-  const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
   const auto cosine = [&](Id s, Id t, const std::vector<Vec3>& x)
   { return CosineAtEdge(x, this->State.surface.triangles, edge, s, t); };
-  const ListRow row = Row(this->State.table.triangles, e);
-  for (const Id* s = row.first; s != row.last; ++s)
+  const auto close = [&](Id s, Id t)
   {
-    for (const Id* t = s + 1; t != row.last; ++t)
-    {
-      const double now = cosine(*s, *t, this->State.surface.points);
-      if (now > -flattestFold && now > cosine(*s, *t, before))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+    const double now = cosine(s, t, this->State.surface.points);
+    return now > -flattestFold && now > cosine(s, t, before);
+  };
+  bool any = false;
+  this->State.ForTrianglesAt(
+    edge,
+    [&](Id s) { this->State.ForTrianglesAt(edge, [&](Id t) { any = any || (s < t && close(s, t)); }); });
+  return any;
 }
 
 std::vector<Id> MoveGuard::Offending(const std::vector<Vec3>& before, Monitor& monitor) const
@@ -179,9 +175,7 @@ std::vector<Id> MoveGuard::Offending(const std::vector<Vec3>& before, Monitor& m
                   bool offends = !this->KeepsTriangle(t);
                   for (std::size_t k = 0; k < 3 && this->IsSharp(t); ++k)
                   {
-                    offends =
-                      offends ||
-                      this->Closes(this->State.edgesOfTriangle[static_cast<std::size_t>(t)][k], before);
+                    offends = offends || this->Closes(this->State.EdgeAcross(t, k), before);
                   }
                   bad[static_cast<std::size_t>(t)] = offends ? 1 : 0;
                 }
@@ -229,9 +223,9 @@ bool MoveGuard::KeepsTriangles(Id p, const Relaxation& r, double& growth) const
 bool MoveGuard::KeepsAngles(Id t, const Relaxation& r) const
 {
   const auto& points = this->State.surface.points;
-  for (Id e : this->State.edgesOfTriangle[static_cast<std::size_t>(t)])
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    const Edge& edge = this->State.table.edges[static_cast<std::size_t>(e)];
+    const Edge edge = this->State.EdgeAcross(t, k);
     const auto direction = [&](Id triangle, bool moved)
     {
       const Triangle& tri = this->State.surface.triangles[static_cast<std::size_t>(triangle)];
@@ -242,18 +236,20 @@ bool MoveGuard::KeepsAngles(Id t, const Relaxation& r) const
       const Vec3 w = (moved ? this->Place(far, r) : points[static_cast<std::size_t>(far)]) - a;
       return Normalized(w - Dot(w, u) * u);
     };
-    const ListRow row = Row(this->State.table.triangles, e);
-    for (Id other : row)
+    bool closes = false;
+    const auto look = [&](Id other)
     {
-      if (other == t)
+      if (other == t || closes)
       {
-        continue;
+        return;
       }
       const double now = Dot(direction(t, true), direction(other, true));
-      if (now > -flattestFold && now > Dot(direction(t, false), direction(other, false)))
-      {
-        return false;
-      }
+      closes = now > -flattestFold && now > Dot(direction(t, false), direction(other, false));
+    };
+    this->State.ForTrianglesAt(edge, look);
+    if (closes)
+    {
+      return false;
     }
   }
   return true;

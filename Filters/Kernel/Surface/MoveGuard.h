@@ -36,10 +36,13 @@ public:
   /// Whether the angles at a triangle's edges must be watched: no step may move its points unseen.
   bool IsSharp(Id t) const { return this->Sharp[static_cast<std::size_t>(t)] != 0; }
   const std::vector<Vec3>& PhaseStart() const { return this->Anchor; }
+  /// The positions before all sweeps; nothing can be asked of the guard after it.
+  std::vector<Vec3> TakeOrigin() { return std::move(this->Origin); }
+  const std::vector<Vec3>& BeforeAll() const { return this->Origin; }
 
 private:
   bool OpensWide(Id edge) const;
-  bool Closes(Id edge, const std::vector<Vec3>& before) const;
+  bool Closes(const Edge& edge, const std::vector<Vec3>& before) const;
   bool Keeps(Id t, const Vec3& a, const Vec3& b, const Vec3& c) const;
   Vec3 Place(Id p, const Relaxation& r) const;
   bool KeepsTriangles(Id p, const Relaxation& r, double& growth) const;

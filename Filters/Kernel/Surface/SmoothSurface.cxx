@@ -96,17 +96,6 @@ void SetVolumes(const TriangleComplex& surface, SmoothingGoal& goal)
   {
     goal.volumes[r] += missing[r];
   }
-  goal.moved.resize(surface.missing.size());
-  for (std::size_t t = 0; t < surface.missing.size(); ++t)
-  {
-    // Mostly what one side lacks the other has too much of, and one move serves both.
-    const double first = surface.missing[t][0];
-    const double second = -surface.missing[t][1];
-    const bool agree = first * second > 0;
-    const double both = agree ? (std::abs(first) > std::abs(second) ? first : second) : first + second;
-    const double area = 0.5 * Norm(AreaVector2(surface.points, surface.triangles[t]));
-    goal.moved[t] = both * area * std::sqrt(area);
-  }
 }
 
 /// The sweeps; false if cancelled.
@@ -115,33 +104,34 @@ bool Smooth(TriangleComplex& surface, const SmoothSurfaceOptions& options, const
 {
   // The bounds on moves have never failed to keep surfaces apart so far, but only the exact test proves it:
   // where it finds fault, all is done again with a test after every phase.
-  const std::vector<Vec3> start = surface.points;
   for (bool careful : { false, true })
   {
-    surface.points = start;
     report.sweepsDone = 0;
     report.movesRefused = 0;
+    std::vector<Vec3> start;
     {
       Smoother smoother(surface, options, goal, unit, careful);
-      if (!smoother.Run(report, monitor))
-      {
-        surface.points = start;
-        return false;
-      }
+      smoother.Run(report, monitor);
+      start = smoother.TakeStart();
     }
-    report.certificate = Certify(surface, monitor);
-    if (report.certificate.intersectingPairs == static_cast<Id>(goal.intersecting.size()) &&
-        (goal.intersecting.empty() || NewIntersections(surface, goal.intersecting, monitor).empty()))
+    if (!monitor.Cancelled())
+    {
+      report.certificate = Certify(surface, monitor);
+    }
+    const bool isCertified =
+      !monitor.Cancelled() &&
+      report.certificate.intersectingPairs == static_cast<Id>(goal.intersecting.size()) &&
+      (goal.intersecting.empty() || NewIntersections(surface, goal.intersecting, monitor).empty());
+    if (monitor.Cancelled() || (!isCertified && !careful))
+    {
+      surface.points = std::move(start);
+    }
+    if (monitor.Cancelled() || isCertified)
     {
       break;
     }
   }
-  if (monitor.Cancelled())
-  {
-    surface.points = start;
-    return false;
-  }
-  return true;
+  return !monitor.Cancelled();
 }
 
 void ReportVolumes(const TriangleComplex& surface, const SmoothingGoal& goal, double unit,

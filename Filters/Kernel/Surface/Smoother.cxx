@@ -308,11 +308,23 @@ void Smoother::StartPhase(double reach, Monitor& monitor)
 void Smoother::GiveBack(Monitor& monitor)
 {
   this->GaveBack = true;
-  if (!this->Goal.moved.empty())
+  const TriangleComplex& surface = this->State.surface;
+  if (surface.missing.empty())
   {
-    SpreadVolumes(this->State, this->Guard, this->Goal.moved, spreadOver * VoxelPerMeanEdge * this->Unit,
-                  monitor);
+    return;
   }
+  const auto owed = [&](Id triangle)
+  {
+    // Mostly what one side lacks the other has too much of, and one move serves both.
+    const auto t = static_cast<std::size_t>(triangle);
+    const double first = surface.missing[t][0];
+    const double second = -surface.missing[t][1];
+    const bool agree = first * second > 0;
+    const double both = agree ? (std::abs(first) > std::abs(second) ? first : second) : first + second;
+    const double area = 0.5 * Norm(AreaVector2(this->Guard.BeforeAll(), surface.triangles[t]));
+    return both * area * std::sqrt(area);
+  };
+  SpreadVolumes(this->State, this->Guard, owed, spreadOver * VoxelPerMeanEdge * this->Unit, monitor);
 }
 
 /// Newton's method for the volumes of all regions, in steps that the guard allows. Points flagged in `held`

@@ -20,8 +20,6 @@ struct SmoothingGoal
 {
   SheetGraph regions;
   std::vector<double> volumes; ///< of the regions at the end
-  /// One a triangle, or empty: what the sheet has to give back towards its normal there.
-  std::vector<double> moved;
   /// One a point, or empty: points that must not move, where the surface is faulty.
   std::vector<char> pinned;
   /// Pairs of triangles that intersected before all.
@@ -50,6 +48,8 @@ public:
 
   /// All phases; false if cancelled.
   bool Run(SmoothSurfaceReport& report, Monitor& monitor);
+  /// Where the points were before all; to be taken when the smoother is done with.
+  std::vector<Vec3> TakeStart() { return this->Guard.TakeOrigin(); }
 
 private:
   void StartPhase(double reach, Monitor& monitor);

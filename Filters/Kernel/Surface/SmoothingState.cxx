@@ -74,15 +74,9 @@ SmoothingState::SmoothingState(TriangleComplex& complex)
 {
   const std::size_t count = complex.points.size();
   this->ring = RingsOfPoints(count, this->table);
-  this->edgesOfTriangle.assign(complex.triangles.size(), { { -1, -1, -1 } });
   this->alongCurve.assign(count, { { -1, -1 } });
   for (std::size_t e = 0; e < this->table.edges.size(); ++e)
   {
-    for (Id t : Row(this->table.triangles, static_cast<Id>(e)))
-    {
-      auto& own = this->edgesOfTriangle[static_cast<std::size_t>(t)];
-      *std::find(own.begin(), own.end(), Id{ -1 }) = static_cast<Id>(e);
-    }
     if (!this->feature[e])
     {
       continue;

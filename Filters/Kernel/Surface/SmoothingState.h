@@ -4,6 +4,8 @@
 
 #include "../Mesh/JunctionGraph.h"
 
+#include <algorithm>
+
 namespace lamina
 {
 
@@ -33,12 +35,32 @@ struct SmoothingState
 {
   explicit SmoothingState(TriangleComplex& complex);
 
+  /// The edge of triangle t that its corner k does not touch.
+  Edge EdgeAcross(Id t, std::size_t k) const
+  {
+    const Triangle& tri = this->surface.triangles[static_cast<std::size_t>(t)];
+    const auto ends = std::minmax(tri[(k + 1) % 3], tri[(k + 2) % 3]);
+    return { ends.first, ends.second };
+  }
+  /// Calls visit(triangle) for every triangle at an edge.
+  template<typename Visit>
+  void ForTrianglesAt(const Edge& edge, const Visit& visit) const
+  {
+    for (const Id t : Row(this->star, edge.a))
+    {
+      const Triangle& tri = this->surface.triangles[static_cast<std::size_t>(t)];
+      if (tri[0] == edge.b || tri[1] == edge.b || tri[2] == edge.b)
+      {
+        visit(t);
+      }
+    }
+  }
+
   TriangleComplex& surface;
   Lists star; ///< triangles of points
   Lists ring; ///< neighbours of points, ascending
   EdgeTable table;
   std::vector<char> feature; ///< a flag an edge of `table`
-  std::vector<std::array<Id, 3>> edgesOfTriangle;
   std::vector<std::array<Id, 2>>
     alongCurve; ///< neighbours along the curve, -1 for points that are not on one
   std::vector<Freedom> freedom;
