@@ -4,53 +4,26 @@
 #include "../Geometry/Predicates.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace lamina
 {
-namespace
-{
-
-constexpr Id Grain = 2048;
-
-} // namespace
-
 std::vector<std::array<Id, 2>> FindIntersections(const std::vector<Vec3>& points,
                                                  const std::vector<Triangle>& triangles, Monitor& monitor)
 {
   const TriangleTree tree(points, triangles);
-  const Id count = static_cast<Id>(triangles.size());
-  // Pieces of the range may be cut anyhow: what triangle i finds is kept under i's block, which only one
-  // thread writes.
-  const Id blocks = (count + Grain - 1) / Grain;
-  std::vector<std::vector<std::array<Id, 2>>> found(static_cast<std::size_t>(blocks));
-  monitor.For(blocks, 1,
-              [&](Id begin, Id end)
-              {
-                for (Id i = begin * Grain; i < std::min(count, end * Grain); ++i)
-                {
-                  const Triangle& own = triangles[static_cast<std::size_t>(i)];
-                  Box box;
-                  for (Id corner : own)
-                  {
-                    box.Add(points[static_cast<std::size_t>(corner)]);
-                  }
-                  tree.ForOverlaps(
-                    box,
-                    [&](Id j)
-                    {
-                      if (i < j && TrianglesIntersect(points, own, triangles[static_cast<std::size_t>(j)]))
-                      {
-                        found[static_cast<std::size_t>(i / Grain)].push_back({ { i, j } });
-                      }
-                      return true;
-                    });
-                }
-              });
   std::vector<std::array<Id, 2>> pairs;
-  for (const auto& part : found)
-  {
-    pairs.insert(pairs.end(), part.begin(), part.end());
-  }
+  std::mutex adding; // there are few, and their order is made below
+  tree.ForPairs(0, monitor,
+                [&](Id s, Id t)
+                {
+                  if (TrianglesIntersect(points, triangles[static_cast<std::size_t>(s)],
+                                         triangles[static_cast<std::size_t>(t)]))
+                  {
+                    const std::lock_guard<std::mutex> lock(adding);
+                    pairs.push_back({ { s, t } });
+                  }
+                });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -91,7 +91,7 @@ public:
     }
   }
 
-  void Measure(Id t);
+  void Measure(Monitor& monitor);
   SheetGaps OfPoints() const;
 
 private:
@@ -223,23 +223,16 @@ void GapFinder::MeasurePair(Id s, Id t)
   }
 }
 
-void GapFinder::Measure(Id t)
+void GapFinder::Measure(Monitor& monitor)
 {
-  Box box;
-  for (const Id p : this->Triangles[At(t)])
-  {
-    box.Add(this->X(p));
-  }
-  box.Grow(this->Cutoff);
-  this->Tree.ForOverlaps(box,
-                         [&](Id other)
-                         {
-                           if (t < other && (this->Owned[At(t)] | this->Owned[At(other)]) != 0)
-                           {
-                             this->MeasurePair(t, other);
-                           }
-                           return true;
-                         });
+  this->Tree.ForPairs(this->Cutoff, monitor,
+                      [&](Id s, Id t)
+                      {
+                        if ((this->Owned[At(s)] | this->Owned[At(t)]) != 0)
+                        {
+                          this->MeasurePair(s, t);
+                        }
+                      });
 }
 
 SheetGaps GapFinder::OfPoints() const
@@ -266,14 +259,7 @@ SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangl
                       const EdgeTable& table, const Lists& star, double cutoff, Monitor& monitor)
 {
   GapFinder finder(points, triangles, table, star, cutoff);
-  monitor.For(static_cast<Id>(triangles.size()), 512,
-              [&](Id begin, Id end)
-              {
-                for (Id t = begin; t < end; ++t)
-                {
-                  finder.Measure(t);
-                }
-              });
+  finder.Measure(monitor);
   return finder.OfPoints();
 }
 

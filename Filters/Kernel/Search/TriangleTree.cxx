@@ -8,7 +8,6 @@ namespace lamina
 namespace
 {
 
-constexpr std::int64_t LeafSize = 4;
 constexpr int BinCount = 16;
 
 double HalfArea(const Box& box)
@@ -183,7 +182,7 @@ void TriangleTree::Build()
     const Task task = tasks.back();
     tasks.pop_back();
     Node& node = this->Nodes[static_cast<std::size_t>(task.node)];
-    if (node.count <= LeafSize)
+    if (node.count <= tree::LeafSize)
     {
       continue;
     }
@@ -221,6 +220,16 @@ void TriangleTree::Refit()
       node->box.Add(this->Nodes[static_cast<std::size_t>(node->Right())].box);
     }
   }
+}
+
+std::size_t TriangleTree::BoxesOfLeaf(const Node& leaf, std::array<Box, tree::LeafSize>& boxes) const
+{
+  for (std::int64_t i = 0; i < leaf.count; ++i)
+  {
+    const Id id = this->Order[static_cast<std::size_t>(leaf.first + i)];
+    boxes[static_cast<std::size_t>(i)] = BoxOf(this->Points, this->Triangles[static_cast<std::size_t>(id)]);
+  }
+  return static_cast<std::size_t>(leaf.count);
 }
 
 TriangleTree::Closest TriangleTree::ClosestOnTriangle(Id triangle, const Vec3& p) const

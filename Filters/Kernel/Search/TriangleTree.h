@@ -2,14 +2,23 @@
 // The one spatial tree: a bounding volume hierarchy over triangles.
 #pragma once
 
+#include "../Base/Monitor.h"
 #include "../Base/Types.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace lamina
 {
+
+namespace tree
+{
+
+constexpr std::int64_t LeafSize = 4; ///< triangles at most
+
+} // namespace tree
 
 struct Box
 {
@@ -70,6 +79,11 @@ public:
   template<typename Visit>
   void ForOverlaps(const Box& box, Visit&& visit) const;
 
+  /// Calls visit(s, t), s < t, once for every two triangles whose boxes come within `growth` of each other
+  /// along each axis, from all threads of the monitor.
+  template<typename Visit>
+  void ForPairs(double growth, Monitor& monitor, const Visit& visit) const;
+
 private:
   struct Node
   {
@@ -83,6 +97,10 @@ private:
     std::int64_t Right() const { return this->first + 1; }
   };
   void Build();
+  /// The boxes of a leaf's triangles; returns how many there are.
+  std::size_t BoxesOfLeaf(const Node& leaf, std::array<Box, tree::LeafSize>& boxes) const;
+  template<typename Visit>
+  void ForPairsOfLeaf(std::int64_t own, double growth, const Visit& visit) const;
 
   const std::vector<Vec3>& Points;
   const std::vector<Triangle>& Triangles;

@@ -212,4 +212,68 @@ void TriangleTree::ForOverlaps(const Box& box, Visit&& visit) const
   }
 }
 
+template<typename Visit>
+void TriangleTree::ForPairs(double growth, Monitor& monitor, const Visit& visit) const
+{
+  monitor.For(static_cast<Id>(this->Nodes.size()), 512,
+              [&](Id begin, Id end)
+              {
+                for (Id node = begin; node < end; ++node)
+                {
+                  if (!this->Nodes[static_cast<std::size_t>(node)].HasChildren())
+                  {
+                    this->ForPairsOfLeaf(node, growth, visit);
+                  }
+                }
+              });
+}
+
+/// The pairs of this leaf's triangles with one another and with those of later leaves: one walk down the tree
+/// serves all of them.
+template<typename Visit>
+void TriangleTree::ForPairsOfLeaf(std::int64_t own, double growth, const Visit& visit) const
+{
+  const Node& leaf = this->Nodes[static_cast<std::size_t>(own)];
+  std::array<Box, tree::LeafSize> ours;
+  std::array<Box, tree::LeafSize> theirs;
+  const std::size_t count = this->BoxesOfLeaf(leaf, ours);
+  Box reach = leaf.box;
+  reach.Grow(growth);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ours[i].Grow(growth);
+  }
+  std::array<std::int64_t, tree::StackSize> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0)
+  {
+    const std::int64_t other = stack[--top];
+    const Node& node = this->Nodes[static_cast<std::size_t>(other)];
+    if (!node.box.Overlaps(reach))
+    {
+      continue;
+    }
+    if (node.HasChildren())
+    {
+      stack[top++] = node.Right();
+      stack[top++] = node.Left();
+      continue;
+    }
+    const std::size_t others = other < own ? 0 : this->BoxesOfLeaf(node, theirs);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (std::size_t j = other == own ? i + 1 : 0; j < others; ++j)
+      {
+        if (ours[i].Overlaps(theirs[j]))
+        {
+          const Id s = this->Order[static_cast<std::size_t>(leaf.first) + i];
+          const Id t = this->Order[static_cast<std::size_t>(node.first) + j];
+          visit(std::min(s, t), std::max(s, t));
+        }
+      }
+    }
+  }
+}
+
 } // namespace lamina
