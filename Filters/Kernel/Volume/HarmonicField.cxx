@@ -12,9 +12,7 @@ namespace lamina
 namespace
 {
 
-constexpr Id Grain = 4096; ///< also the blocks of sums, so that they do not depend on the threads
-constexpr double Tolerance = 1e-8;
-constexpr int MostIterations = 20000;
+constexpr Id Grain = 4096;
 
 std::size_t Index(Id id)
 {
@@ -162,46 +160,17 @@ private:
   std::vector<double> Right;
 };
 
-double DotProduct(const std::vector<double>& a, const std::vector<double>& b, Monitor& monitor)
-{
-  const Id count = static_cast<Id>(a.size());
-  std::vector<double> parts(Index((count + Grain - 1) / Grain), 0);
-  monitor.For(static_cast<Id>(parts.size()), 1,
-              [&](Id begin, Id end)
-              {
-                for (Id block = begin; block < end; ++block)
-                {
-                  double sum = 0;
-                  for (Id i = block * Grain; i < std::min(count, (block + 1) * Grain); ++i)
-                  {
-                    sum += a[Index(i)] * b[Index(i)];
-                  }
-                  parts[Index(block)] = sum;
-                }
-              });
-  double sum = 0;
-  for (double part : parts)
-  {
-    sum += part;
-  }
-  return sum;
-}
-
-/// Calls op(i) for all i.
-template<typename Op>
-void ForAll(std::size_t count, Monitor& monitor, Op&& op)
-{
-  monitor.For(static_cast<Id>(count), Grain,
-              [&](Id begin, Id end)
-              {
-                for (Id i = begin; i < end; ++i)
-                {
-                  op(Index(i));
-                }
-              });
-}
-
 } // namespace
+
+std::optional<Error> CheckSolved(const HarmonicReport& report)
+{
+  if (report.residual <= 1e-3)
+  {
+    return std::nullopt;
+  }
+  return Unreachable("the equation of the depth could not be solved in " + std::to_string(report.iterations) +
+                     " steps: look for flat cells with Mesh Audit");
+}
 
 Result<HarmonicReport> SolveHarmonic(const VolumeMesh& mesh, const std::vector<Id>& cells,
                                      const std::vector<char>& known, std::vector<double>& values,
@@ -214,50 +183,19 @@ Result<HarmonicReport> SolveHarmonic(const VolumeMesh& mesh, const std::vector<I
   {
     x[i] = values[Index(matrix.Points()[i])];
   }
-  HarmonicReport report;
-  std::vector<double> product(count);
-  matrix.Multiply(x, product, monitor);
-  std::vector<double> rest(count);
-  std::vector<double> scaled(count);
-  const auto scale = [&](std::size_t i)
-  { scaled[i] = matrix.Diagonal()[i] > 0 ? rest[i] / matrix.Diagonal()[i] : 0; };
-  ForAll(count, monitor,
-         [&](std::size_t i)
-         {
-           rest[i] = matrix.RightSide()[i] - product[i];
-           scale(i);
-         });
-  std::vector<double> way = scaled;
-  double energy = DotProduct(rest, scaled, monitor);
-  const double first = energy;
-  while (energy > Tolerance * Tolerance * first && report.iterations < MostIterations && !monitor.Cancelled())
-  {
-    monitor.Progress(std::min(1.0, std::log(energy / first) / (2 * std::log(Tolerance))),
-                     "Solving for the depth");
-    matrix.Multiply(way, product, monitor);
-    const double step = energy / DotProduct(way, product, monitor);
-    ForAll(count, monitor,
-           [&](std::size_t i)
-           {
-             x[i] += step * way[i];
-             rest[i] -= step * product[i];
-             scale(i);
-           });
-    const double next = DotProduct(rest, scaled, monitor);
-    const double turn = next / energy;
-    energy = next;
-    ForAll(count, monitor, [&](std::size_t i) { way[i] = scaled[i] + turn * way[i]; });
-    ++report.iterations;
-  }
+  const auto multiply = [&](const std::vector<double>& from, std::vector<double>& to)
+  { matrix.Multiply(from, to, monitor); };
+  ConjugateGradientsOptions options;
+  options.stage = "Solving for the depth";
+  const ConjugateGradientsReport report =
+    ConjugateGradients({ multiply, matrix.Diagonal(), matrix.RightSide() }, options, x, monitor);
   if (monitor.Cancelled())
   {
     return Cancelled();
   }
-  report.residual = first > 0 ? std::sqrt(energy / first) : 0;
-  if (!(report.residual <= 1e-3))
+  if (auto error = CheckSolved(report))
   {
-    return Unreachable("the equation of the depth could not be solved in " +
-                       std::to_string(report.iterations) + " steps: look for flat cells with Mesh Audit");
+    return *error;
   }
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -3,8 +3,8 @@
 
 #include "../Search/TriangleTree.h"
 #include "CellTets.h"
-#include "HarmonicField.h"
 #include "PatchChoice.h"
+#include "QuadraticHarmonic.h"
 
 #include <algorithm>
 #include <numeric>
@@ -166,13 +166,21 @@ Result<WallDepthReport> ComputeWallDepth(const VolumeMesh& mesh, const MeshPatch
     depth[p] = sides[p] == OnInner ? 0 : (sides[p] == OnOuter ? 1 : 0.5);
     report.contestedNodes += sides[p] == (OnInner | OnOuter) ? 1 : 0;
   }
-  SubMonitor solving(monitor, 0, 0.8);
-  const auto solved = SolveHarmonic(mesh, cells, known, depth, solving);
-  if (!solved)
+  SubMonitor solving(monitor, 0, 0.4);
+  const auto linear = SolveHarmonic(mesh, cells, known, depth, solving);
+  if (!linear)
   {
-    return solved.GetError();
+    return linear.GetError();
   }
-  report.iterations = solved->iterations;
+  std::vector<Triangle> walls = *inner;
+  walls.insert(walls.end(), outer->begin(), outer->end());
+  SubMonitor bending(monitor, 0.4, 0.8);
+  const auto quadratic = SolveQuadraticHarmonic(mesh, cells, known, walls, depth, bending);
+  if (!quadratic)
+  {
+    return quadratic.GetError();
+  }
+  report.iterations = linear->iterations + quadratic->iterations;
   // Obtuse cells can overshoot a little.
   std::transform(depth.begin(), depth.end(), depth.begin(), [](double d) { return std::clamp(d, 0.0, 1.0); });
   WallDepthField made;
