@@ -84,6 +84,7 @@ void ForColumns(TriangleComplex& s, Act&& act)
   act(s.points);
   act(s.triangles);
   act(s.materials);
+  act(s.patches);
   act(s.junctionKind);
   act(s.junctionOrder);
   act(s.featureSize);

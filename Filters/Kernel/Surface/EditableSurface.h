@@ -67,6 +67,10 @@ public:
   /// How well the best direction into the worst material at p sees the faces there: a cosine.
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
 
+  /// Give all points and triangles new ids in an order of space, without gaps: neighbours then lie together
+  /// in memory too.
+  void Renumber();
+
   /// The result: points and triangles compacted, fields interpolated from the input.
   void Write(TriangleComplex& surface, Monitor& monitor) const;
   /// The stretches of the points as Write() puts them out, or none.

@@ -50,12 +50,15 @@ private:
   void MergeShort(RefineSurfaceReport& report);
   void SwapAll(RefineSurfaceReport& report);
   void RelaxAll();
+  /// Give the surface an order of space again once it has grown.
+  void KeepOrder();
   bool Stopped() { return ++this->Ticks % 4096 == 0 && this->Watch.Cancelled(); }
 
   EditableSurface& Surface;
   const RefineSurfaceOptions& Options;
   Monitor& Watch;
   Id Ticks = 0;
+  Id Ordered = 0; ///< triangles when the surface was last put in order
   // The clock of the surface when all edges were last looked at.
   Id Merged = -1;
   Id Split = -1;
