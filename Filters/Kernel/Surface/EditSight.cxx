@@ -252,7 +252,7 @@ bool EditableSurface::UncoverBySearch(Id p)
     for (Id q : ring)
     {
       // Points of a border plane or an opening must stay in it.
-      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet || this->IsOnPatch(q))
+      if (this->IsOnPatch(q))
       {
         continue;
       }
@@ -263,6 +263,10 @@ bool EditableSurface::UncoverBySearch(Id p)
       }
       for (int i = 0; i < 27; ++i)
       {
+        if (i == 13)
+        {
+          continue; // no way at all
+        }
         const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
         if (this->TryMove(q, this->Point(q) + step * this->Target(q) * Normalized(way),
                           std::min(0.35, worst)))
