@@ -37,6 +37,7 @@ lamina::Report Describe(const lamina::RefineSurfaceReport& report)
     .Add("goodTriangles", report.goodTriangles)
     .Add("largestVolumeChange", report.largestVolumeChange)
     .Add("hiddenNodes", report.hiddenNodes)
+    .Add("forbiddenNodes", report.forbiddenNodes)
     .Add("hiddenPlaces", report.hiddenPlaces);
 }
 

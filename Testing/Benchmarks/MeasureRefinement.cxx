@@ -84,6 +84,7 @@ void ForColumns(TriangleComplex& s, Act&& act)
   act(s.points);
   act(s.triangles);
   act(s.materials);
+  act(s.patches);
   act(s.junctionKind);
   act(s.junctionOrder);
   act(s.featureSize);
@@ -219,7 +220,8 @@ int main(int argc, char** argv)
     count / measures::EquilateralTriangles(input), measures::EquilateralTriangles(even) / count);
   std::printf("  reported: %.3f %% of edges in range, %.4f %% of triangles above 0.4, least %.3f\n",
               100 * report->edgesInRange, 100 * report->goodTriangles, report->leastQuality);
-  std::printf("  splits %lld, merges %lld, swaps %lld\n", report->splits, report->merges, report->swaps);
+  std::printf("  splits %lld, merges %lld, swaps %lld; hidden nodes %lld, of which the input forbids %lld\n",
+              report->splits, report->merges, report->swaps, report->hiddenNodes, report->forbiddenNodes);
   if (arguments.Get("measure", 1) > 0)
   {
     measures::Print(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);

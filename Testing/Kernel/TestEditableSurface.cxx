@@ -230,3 +230,34 @@ TEST(EditableSurface, RelaxingInVainIsNotTriedAgain)
   }
   EXPECT_EQ(bench.edited.Clock(), clock);
 }
+
+TEST(EditableSurface, NewIdsAreOfTheSameSurface)
+{
+  Bench bench(RoughSphere(), 0.2);
+  const Triangle first = bench.edited.Corners(0);
+  bench.edited.Split(first[0], first[1]);
+  for (Id p = 0; p < 40; ++p)
+  {
+    if (!bench.edited.Star(p).empty())
+    {
+      const Triangle corners = bench.edited.Corners(bench.edited.Star(p).front());
+      bench.edited.Merge(corners[0], corners[1], true);
+    }
+  }
+  const Id alive = bench.Alive();
+  const double volume = Volume(bench.Written());
+  ASSERT_LT(alive, bench.edited.TriangleCount());
+  bench.edited.Renumber();
+  EXPECT_EQ(bench.edited.TriangleCount(), alive);
+  EXPECT_EQ(bench.Alive(), alive);
+  EXPECT_EQ(2 * (bench.edited.PointCount() - 2), alive); // a closed surface without unused points
+  EXPECT_NEAR(Volume(bench.Written()), volume, 1e-12);
+  // It can be edited on, and edits are still held against the input.
+  Id relaxed = 0;
+  for (Id p = 0; p < bench.edited.PointCount(); ++p)
+  {
+    relaxed += bench.edited.Relax(p) ? 1 : 0;
+  }
+  EXPECT_GT(relaxed, 20);
+  EXPECT_NEAR(Volume(bench.Written()), volume, 1e-10);
+}

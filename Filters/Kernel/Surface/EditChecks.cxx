@@ -72,10 +72,16 @@ bool EditableSurface::IsNearInput(Edit& edit) const
       }
     }
   }
-  if (edit.centre >= 0)
+  // The centre lies near each of its sheets: looked at once a run of triangles of the same one.
+  int sheet = -1;
+  for (const Added& t : edit.added)
   {
-    Id hint = edit.added[0].hint;
-    return this->Input.IsNear(edit.added[0].sheet, this->Point(edit.centre), hint);
+    Id hint = t.hint;
+    if (edit.centre >= 0 && t.sheet != sheet && !this->Input.IsNear(t.sheet, this->Point(edit.centre), hint))
+    {
+      return false;
+    }
+    sheet = t.sheet;
   }
   return true;
 }

@@ -47,7 +47,8 @@ bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
 namespace
 {
 
-constexpr double leastMove = 0.05; ///< in targets: less is not worth its checks
+constexpr double leastMove = 0.05;   ///< in targets: less is not worth its checks
+constexpr double betterShape = 1.02; ///< what a search for a better shape must gain
 
 } // namespace
 
@@ -66,7 +67,6 @@ bool EditableSurface::Relax(Id p)
   }
   this->Relaxed[U(p)] = this->Changes;
   const Vec3& x = this->Point(p);
-  double worst = 1;
   Vec3 move;
   if (this->Classes[U(p)] == OnCurve)
   {
@@ -100,10 +100,7 @@ bool EditableSurface::Relax(Id p)
     move *= 1 / weights;
     move -= (Dot(move, gradient) / Norm2(gradient)) * gradient;
   }
-  for (Id t : this->Star(p))
-  {
-    worst = std::min(worst, this->Quality(t));
-  }
+  const double worst = this->WorstQuality(p);
   if (Norm(move) < leastMove * this->Target(p))
   {
     return false;
@@ -126,6 +123,41 @@ bool EditableSurface::Relax(Id p)
     }
   }
   return false;
+}
+
+double EditableSurface::WorstQuality(Id p) const
+{
+  double worst = 1;
+  for (Id t : this->Star(p))
+  {
+    worst = std::min(worst, this->Quality(t));
+  }
+  return worst;
+}
+
+/// Move p by a length, to a corner, an edge or a side of a cube around it.
+bool EditableSurface::TryAround(Id p, double length, double leastQuality)
+{
+  if (this->IsOnPatch(p))
+  {
+    return false; // points of a border plane or an opening must stay in it
+  }
+  for (int i = 0; i < 27; ++i)
+  {
+    const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
+    if (Norm2(way) > 0 && this->TryMove(p, this->Point(p) + length * Normalized(way), leastQuality))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool EditableSurface::Reshape(Id p)
+{
+  const double least = betterShape * this->WorstQuality(p);
+  return std::any_of(std::begin(searchSteps), std::end(searchSteps),
+                     [&](double step) { return this->TryAround(p, step * this->Target(p), least); });
 }
 
 } // namespace lamina

@@ -5,6 +5,7 @@
 #include "EditableSurface.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamina
 {
@@ -13,6 +14,9 @@ namespace
 {
 
 constexpr double rounding = 1e-12;
+constexpr double sharpness = 20;   ///< how much more the worst faces count where a node is uncovered
+constexpr double leastGain = 0.96; ///< what an edit that uncovers may at most leave of what blocks the sight
+constexpr double goodSight = 0.5;  ///< a node that sees this well needs no uncovering
 constexpr double leastVisibilityMending = 0.42; ///< the same while a node is uncovered that sees less
 constexpr double leastVisibility = 0.45; ///< cosine between a node's best direction and the faces it must see
 
@@ -20,7 +24,9 @@ constexpr double leastVisibility = 0.45; ///< cosine between a node's best direc
 
 /// The least, over the materials at p, of how well the best direction into the material sees its faces there.
 /// With an edit: as it would be after it.
-double EditableSurface::Visibility(Id p, const Edit* edit) const
+/// `blocked`: if not null, becomes the sum over all faces of how much each hinders the sight, which falls
+/// where any of the worst faces gets better, even if others are still as bad.
+double EditableSurface::Visibility(Id p, const Edit* edit, double* blocked) const
 {
   struct Face
   {
@@ -53,6 +59,7 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
   }
   // A point of a sheet has one pair: its cone is the same seen from both sides.
   double least = 1;
+  double sumOfAll = 0;
   std::vector<int> done;
   std::vector<Vec3> normals;
   for (const Face& face : faces)
@@ -81,12 +88,25 @@ double EditableSurface::Visibility(Id p, const Edit* edit) const
       {
         seen = std::min(seen, Dot(mean, n));
       }
-      least = std::min(least, seen >= leastVisibility ? seen : FindVisibleDirection(normals).leastCosine);
+      VisibleDirection best{ mean, seen };
+      if (seen < leastVisibility || blocked != nullptr)
+      {
+        best = FindVisibleDirection(normals);
+      }
+      least = std::min(least, best.leastCosine);
+      for (std::size_t i = 0; blocked != nullptr && i < normals.size(); ++i)
+      {
+        sumOfAll += std::exp(-sharpness * Dot(best.direction, normals[i]));
+      }
     }
     if (this->Classes[static_cast<std::size_t>(p)] == OnSheet)
     {
       break;
     }
+  }
+  if (blocked != nullptr)
+  {
+    *blocked = sumOfAll;
   }
   return least;
 }
@@ -150,12 +170,17 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
     // A node that was hidden before may stay so, but no edit may hide it more.
     const double after = this->SightAfter(p, edit);
     allVisible = allVisible && after >= leastVisibility;
-    if (p == this->Mended && after < this->MendedSight)
+    if (p == this->Mended && after < goodSight)
     {
-      return false;
+      double blocked = 0;
+      this->Visibility(p, &edit, &blocked);
+      if (blocked > this->MostBlocked)
+      {
+        return false;
+      }
     }
     const double least = this->Mending ? leastVisibilityMending : leastVisibility;
-    if (after < least && after < this->Visibility(p, nullptr) - rounding)
+    if (after < least && after < this->Visibility(p) - rounding)
     {
       return false;
     }
@@ -163,16 +188,16 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
   return true;
 }
 
-bool EditableSurface::Uncover(Id p, double goal)
+bool EditableSurface::Uncover(Id p)
 {
-  const double before = this->Star(p).empty() ? 1 : this->Visibility(p);
-  if (before >= goal)
+  double blocked = 0;
+  if (this->Star(p).empty() || this->Visibility(p, nullptr, &blocked) >= goodSight)
   {
     return false;
   }
   this->Mending = true;
   this->Mended = p;
-  this->MendedSight = std::min(goal, before + 0.02);
+  this->MostBlocked = leastGain * blocked;
   const bool done =
     this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) || this->UncoverBySearch(p);
   this->Mending = false;
@@ -245,30 +270,15 @@ bool EditableSurface::IsOnPatch(Id p) const
 /// Try many small moves of p and the points around it.
 bool EditableSurface::UncoverBySearch(Id p)
 {
-  std::vector<Id> ring = this->RingOf(p);
-  ring.insert(ring.begin(), p);
-  for (const double step : { 0.25, 0.1, 0.04 })
+  std::vector<Id> points = this->RingOf(p);
+  points.insert(points.begin(), p);
+  for (const double step : searchSteps)
   {
-    for (Id q : ring)
+    for (Id q : points)
     {
-      // Points of a border plane or an opening must stay in it.
-      if (this->Classes[static_cast<std::size_t>(q)] != OnSheet || this->IsOnPatch(q))
+      if (this->TryAround(q, step * this->Target(q), std::min(0.35, this->WorstQuality(q))))
       {
-        continue;
-      }
-      double worst = 1;
-      for (Id t : this->Star(q))
-      {
-        worst = std::min(worst, this->Quality(t));
-      }
-      for (int i = 0; i < 27; ++i)
-      {
-        const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
-        if (this->TryMove(q, this->Point(q) + step * this->Target(q) * Normalized(way),
-                          std::min(0.35, worst)))
-        {
-          return true;
-        }
+        return true;
       }
     }
   }

@@ -108,6 +108,22 @@ EdgeTriangles EditableSurface::TrianglesAt(Id a, Id b) const
   return found;
 }
 
+Id EditableSurface::ChangedAround(Id p) const
+{
+  Id last = 0;
+  for (Id t : this->Star(p))
+  {
+    for (Id q : this->Corners(t))
+    {
+      for (Id s : this->Star(q))
+      {
+        last = std::max(last, this->ChangedAt(s));
+      }
+    }
+  }
+  return last;
+}
+
 bool EditableSurface::IsFeature(const EdgeTriangles& triangles) const
 {
   return triangles.size() != 2 || this->Sheets[U(triangles[0])] != this->Sheets[U(triangles[1])];

@@ -49,6 +49,8 @@ public:
   /// A count of the changes so far, and its value when a triangle last changed or one of its points moved.
   Id Clock() const { return this->Changes; }
   Id ChangedAt(Id triangle) const { return this->Changed[static_cast<std::size_t>(triangle)]; }
+  /// The same for anything at p or a point that it shares a triangle with.
+  Id ChangedAround(Id p) const;
 
   // Edits; each returns whether it was done.
   /// Bisect the edge at its middle; always safe. Returns the new point.
@@ -60,12 +62,18 @@ public:
   bool Swap(Id a, Id b);
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
+  /// Move the point anywhere near that betters the worst of its triangles.
+  bool Reshape(Id p);
 
-  /// Where no direction sees all faces of p well (cosine below `goal`), move, merge or swap so that one does.
-  /// Here faces may turn.
-  bool Uncover(Id p, double goal);
+  /// Where no direction sees all faces of p well (cosine below 0.5), one edit that betters this: a move,
+  /// merge or swap. Here faces may turn.
+  bool Uncover(Id p);
   /// How well the best direction into the worst material at p sees the faces there: a cosine.
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
+
+  /// Give all points and triangles new ids in an order of space, without gaps: neighbours then lie together
+  /// in memory too.
+  void Renumber();
 
   /// The result: points and triangles compacted, fields interpolated from the input.
   void Write(TriangleComplex& surface, Monitor& monitor) const;
@@ -110,6 +118,8 @@ private:
   Edit& RemovalOf(const EdgeTriangles& triangles);
   void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
+  bool TryAround(Id p, double length, double leastQuality);
+  double WorstQuality(Id p) const;
   bool HasChanged(Id p) const;
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
 
@@ -132,7 +142,7 @@ private:
   bool IsClearOfOthers(const Edit& edit) const;
   bool IsClearOfItself(const Edit& edit) const;
   bool KeepsNodesVisible(const Edit& edit, bool& allVisible) const;
-  double Visibility(Id p, const Edit* edit) const;
+  double Visibility(Id p, const Edit* edit, double* blocked = nullptr) const;
   double SightAfter(Id p, const Edit& edit) const;
 
   Box BoxOf(const Triangle& t) const;
@@ -141,6 +151,9 @@ private:
   void Insert(Id id, const Triangle& corners, int sheet, const Vec3& normal, Id hint);
   void Remove(Id id);
   Id AddTriangle();
+
+  /// How far a search for a better place of a point goes, in its target.
+  static constexpr double searchSteps[] = { 0.25, 0.1, 0.04, 0.016 };
 
   const InputSurface& Input;
   double MergeRatio;
@@ -165,7 +178,7 @@ private:
   TriangleGrid Grid;
   bool Mending = false;   ///< within Uncover
   Id Mended = -1;         ///< the point that is being uncovered
-  double MendedSight = 0; ///< which it must have after an edit
+  double MostBlocked = 0; ///< of its sight after an edit
 };
 
 } // namespace lamina

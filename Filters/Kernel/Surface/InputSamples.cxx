@@ -47,6 +47,29 @@ InputSamples::InputSamples(const InputSurface& input)
   }
 }
 
+void InputSamples::Renumber(const std::vector<Id>& order)
+{
+  std::vector<Sample> places;
+  std::vector<int> nexts;
+  std::vector<int> firsts;
+  places.reserve(this->Places.size());
+  nexts.reserve(this->Places.size());
+  firsts.reserve(order.size());
+  for (Id triangle : order)
+  {
+    const int first = this->First(triangle);
+    firsts.push_back(first < 0 ? -1 : static_cast<int>(places.size()));
+    for (int sample = first; sample >= 0; sample = this->Next(sample))
+    {
+      places.push_back(this->Places[static_cast<std::size_t>(sample)]);
+      nexts.push_back(this->Next(sample) < 0 ? -1 : static_cast<int>(places.size()));
+    }
+  }
+  this->Places = std::move(places);
+  this->Nexts = std::move(nexts);
+  this->Firsts = std::move(firsts);
+}
+
 void InputSamples::Add(const Vec3& point, double tolerance, Id triangle)
 {
   this->Places.push_back({ point, tolerance });

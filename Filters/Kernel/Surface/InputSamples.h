@@ -38,6 +38,9 @@ public:
     this->Firsts[static_cast<std::size_t>(triangle)] = sample;
   }
 
+  /// Triangle i is from now on what order[i] was; the others have no samples.
+  void Renumber(const std::vector<Id>& order);
+
 private:
   struct Sample
   {

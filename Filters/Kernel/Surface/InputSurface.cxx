@@ -10,8 +10,9 @@ namespace lamina
 namespace
 {
 
-/// What edits may use of the tolerance: the rest is for what lies between the places that are looked at.
-constexpr double reserve = 0.8;
+/// What edits may use of the tolerance: the rest is for what lies between the places that are looked at, and
+/// for the last correction of the volumes.
+constexpr double reserve = 0.75;
 
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {

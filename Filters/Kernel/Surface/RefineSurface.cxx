@@ -3,6 +3,7 @@
 
 #include "../Mesh/Closedness.h"
 #include "../Search/SelfIntersection.h"
+#include "HiddenNodes.h"
 #include "Refinement.h"
 #include "RefinementResult.h"
 
@@ -109,7 +110,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
-  refinement.UncoverNodes();
+  refinement.UncoverNodes(false);
   for (int i = 0; i < options.iterations; ++i)
   {
     monitor.Progress(static_cast<double>(i) / (options.iterations + 1), "refining");
@@ -119,7 +120,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     }
   }
   refinement.MendShapes(report);
-  refinement.UncoverNodes();
+  refinement.UncoverNodes(true);
   refinement.MendShapes(report);
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;
@@ -136,7 +137,8 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     report.largestVolumeChange =
       std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
-  MeasureRefined(surface, editable.WrittenStretches(), report, monitor);
+  MeasureRefined(surface, editable.WrittenStretches(), report);
+  FindHiddenNodes(surface, editable.WrittenSheets(), input, report, monitor);
   monitor.Progress(1, "refined");
   return report;
 }

@@ -36,6 +36,7 @@ struct RefineSurfaceReport
   double goodTriangles = 0;       ///< share of triangles with 2r/R of 0.4 or more
   double largestVolumeChange = 0; ///< relative, over all materials, after the final correction
   Id hiddenNodes = 0;             ///< wall nodes without a direction that sees all faces of a material
+  Id forbiddenNodes = 0;          ///< those of them where the input's own sharp edges leave no direction
   std::vector<Vec3> hiddenPlaces;
   std::vector<Id> hiddenPoints; ///< their ids in the refined surface, ascending
 };

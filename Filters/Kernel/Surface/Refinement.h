@@ -39,7 +39,8 @@ public:
   }
   bool Iterate(RefineSurfaceReport& report);
   void MendShapes(RefineSurfaceReport& report);
-  void UncoverNodes();
+  /// `maySplit`: where nothing else helps, make the edges at a hidden node shorter.
+  void UncoverNodes(bool maySplit);
 
 private:
   /// Visits each edge with a triangle that has changed since the clock stood at `since`, once.
@@ -50,12 +51,16 @@ private:
   void MergeShort(RefineSurfaceReport& report);
   void SwapAll(RefineSurfaceReport& report);
   void RelaxAll();
+  bool SplitBeside(Id p);
+  /// Give the surface an order of space again once it has grown.
+  void KeepOrder();
   bool Stopped() { return ++this->Ticks % 4096 == 0 && this->Watch.Cancelled(); }
 
   EditableSurface& Surface;
   const RefineSurfaceOptions& Options;
   Monitor& Watch;
   Id Ticks = 0;
+  Id Ordered = 0; ///< triangles when the surface was last put in order
   // The clock of the surface when all edges were last looked at.
   Id Merged = -1;
   Id Split = -1;

@@ -3,21 +3,26 @@
 #include "Refinement.h"
 
 #include <algorithm>
+#include <map>
 
 namespace lamina
 {
 
 /// Nodes whose faces no direction sees well: nothing good can grow there.
-void Refinement::UncoverNodes()
+void Refinement::UncoverNodes(bool maySplit)
 {
   constexpr double goal = 0.5;
   constexpr double enough = 0.41;
+  constexpr int mostRounds = 40;
+  constexpr int mostSplits = 4;
+  std::map<Id, Id> triedAt; // the clock when a node could not be made better
+  std::map<Id, int> splits; // of edges at a node
   std::vector<Id> candidates;
   for (Id p = 0; p < this->Surface.PointCount(); ++p)
   {
     candidates.push_back(p);
   }
-  for (int round = 0; round < 12 && !candidates.empty(); ++round)
+  for (int round = 0; round < mostRounds && !candidates.empty(); ++round)
   {
     std::vector<std::pair<double, Id>> hidden;
     for (Id p : candidates)
@@ -33,11 +38,28 @@ void Refinement::UncoverNodes()
     bool better = false;
     for (const auto& node : hidden)
     {
-      candidates.push_back(node.second);
-      for (int again = 0; again < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(node.second, goal);
-           ++again)
+      const Id p = node.second;
+      candidates.push_back(p);
+      const auto inVain = triedAt.find(p);
+      if (inVain != triedAt.end() && this->Surface.ChangedAround(p) <= inVain->second)
       {
+        continue;
+      }
+      int done = 0;
+      while (done < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(p))
+      {
+        ++done;
+      }
+      better = better || done > 0;
+      if (done < 4 && maySplit && this->Surface.Visibility(p) < enough && splits[p] < mostSplits &&
+          this->SplitBeside(p))
+      {
+        ++splits[p]; // shorter edges can bend further within the tolerance
         better = true;
+      }
+      else if (done < 4)
+      {
+        triedAt[p] = this->Surface.Clock();
       }
     }
     if (!better)
@@ -47,10 +69,34 @@ void Refinement::UncoverNodes()
   }
 }
 
+/// Splits the relatively longest edge at p that stays long enough, if there is one.
+bool Refinement::SplitBeside(Id p)
+{
+  double longest = 0.9;
+  Id end = -1;
+  for (Id t : this->Surface.Star(p))
+  {
+    for (Id q : this->Surface.Corners(t))
+    {
+      if (q != p && this->Surface.RelativeLength(p, q) > longest)
+      {
+        longest = this->Surface.RelativeLength(p, q);
+        end = q;
+      }
+    }
+  }
+  if (end >= 0)
+  {
+    this->Surface.Split(p, end);
+  }
+  return end >= 0;
+}
+
 /// Bad triangles that the rounds left: merge away their shortest edge or move a corner.
 void Refinement::MendShapes(RefineSurfaceReport& report)
 {
   constexpr double good = 0.4;
+  constexpr int mostMoves = 10;
   for (int round = 0; round < 4; ++round)
   {
     std::vector<std::pair<double, Id>> bad;
@@ -90,11 +136,19 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
     this->SwapAll(report);
     for (const auto& item : bad)
     {
-      if (this->Surface.IsAlive(item.second))
+      if (!this->Surface.IsAlive(item.second))
       {
-        for (Id p : Triangle(this->Surface.Corners(item.second)))
+        continue;
+      }
+      for (Id p : Triangle(this->Surface.Corners(item.second)))
+      {
+        this->Surface.Relax(p);
+        for (int i = 0; i < mostMoves && this->Surface.Quality(item.second) < good; ++i)
         {
-          this->Surface.Relax(p);
+          if (!this->Surface.Reshape(p))
+          {
+            break;
+          }
         }
       }
     }

@@ -2,7 +2,6 @@
 #include "RefinementResult.h"
 
 #include "../Geometry/Quality.h"
-#include "../Geometry/VisibleDirection.h"
 #include "../Search/SelfIntersection.h"
 
 #include <algorithm>
@@ -46,72 +45,8 @@ void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& she
   // Better a small error of volume, which the report tells, than an intersection.
 }
 
-namespace
-{
-
-/// Whether no direction into some material sees all its faces around p.
-bool IsHidden(const TriangleComplex& surface, const Lists& star, Id p)
-{
-  constexpr double leastCosine = 0.4;
-  std::vector<int> done{ 0 };
-  std::vector<Vec3> normals;
-  for (Id first : Row(star, p))
-  {
-    const MaterialPair& pair = surface.materials[static_cast<std::size_t>(first)];
-    for (int material : { pair.first, pair.second })
-    {
-      if (std::find(done.begin(), done.end(), material) != done.end())
-      {
-        continue;
-      }
-      done.push_back(material);
-      normals.clear();
-      for (Id t : Row(star, p))
-      {
-        const auto v = static_cast<std::size_t>(t);
-        const int side = SideOf(surface.materials[v], material);
-        if (side != 0)
-        {
-          normals.push_back(side * Normalized(AreaVector2(surface.points, surface.triangles[v])));
-        }
-      }
-      if (FindVisibleDirection(normals).leastCosine < leastCosine)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-void FindHiddenNodes(const TriangleComplex& surface, RefineSurfaceReport& report, Monitor& monitor)
-{
-  const auto count = static_cast<Id>(surface.points.size());
-  const Lists star = TrianglesOfPoints(count, surface.triangles);
-  std::vector<char> hidden(surface.points.size(), 0);
-  monitor.For(count, 4096,
-              [&](Id begin, Id end)
-              {
-                for (Id p = begin; p < end; ++p)
-                {
-                  hidden[static_cast<std::size_t>(p)] = IsHidden(surface, star, p) ? 1 : 0;
-                }
-              });
-  for (Id p = 0; p < count; ++p)
-  {
-    if (hidden[static_cast<std::size_t>(p)])
-    {
-      ++report.hiddenNodes;
-      report.hiddenPoints.push_back(p);
-      report.hiddenPlaces.push_back(surface.points[static_cast<std::size_t>(p)]);
-    }
-  }
-}
-
-} // namespace
-
 void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& stretches,
-                    RefineSurfaceReport& report, Monitor& monitor)
+                    RefineSurfaceReport& report)
 {
   constexpr double good = 0.4;
   report.triangles = static_cast<Id>(surface.triangles.size());
@@ -140,7 +75,6 @@ void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& 
   { return of > 0 ? static_cast<double>(count) / static_cast<double>(of) : 1; };
   report.edgesInRange = share(inRange, 3 * report.triangles);
   report.goodTriangles = share(fair, report.triangles);
-  FindHiddenNodes(surface, report, monitor);
 }
 
 } // namespace lamina

@@ -14,9 +14,9 @@ namespace lamina
 void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& sheets,
                                  const std::vector<double>& targets, Monitor& monitor);
 
-/// Fills in what the refined surface is like. `stretches`: the metric of lengths and qualities, one a point,
-/// or none.
+/// Fills in what the edges and triangles are like. `stretches`: the metric of lengths and qualities, one a
+/// point, or none.
 void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& stretches,
-                    RefineSurfaceReport& report, Monitor& monitor);
+                    RefineSurfaceReport& report);
 
 } // namespace lamina

@@ -20,6 +20,7 @@ public:
     , Table(1024)
   {
   }
+  double CellSize() const { return 1 / this->Inverse; }
   void Insert(Id triangle, const Box& box)
   {
     const Entry entry{ static_cast<int>(triangle), Shrink(box) };

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes from which no direction into a material sees all its faces, and which of them the input forbids to be
+// any better.
+#pragma once
+
+#include "InputSurface.h"
+#include "RefineSurface.h"
+
+namespace lamina
+{
+
+/// Fills in hiddenNodes, hiddenPoints, hiddenPlaces and forbiddenNodes. `sheets` are those of the refined
+/// triangles, in the numbers of the input.
+///
+/// The input forbids a node to see its faces if none of its own places does that the node could take: those
+/// within the tolerance where the same sheets meet. For a node on a junction curve these are the edges of
+/// that curve: at the best of them the sheets meet at less than twice asin(0.4), 47 degrees, or so many meet
+/// that no direction serves all. For a corner it is the corner. A node within a sheet is never forbidden.
+void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
+                     RefineSurfaceReport& report, Monitor& monitor);
+
+} // namespace lamina
