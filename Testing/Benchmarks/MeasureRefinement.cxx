@@ -4,155 +4,14 @@
 // FILE: .labels or .surface, as WriteRefinementInputs.py makes them, or .sized, which save=FILE.sized writes
 // just before refinement. NAME: threads, iterations, tolerance, layers, minimum, maximum, uniform (one target
 // for all, a length), verbose.
-#include "Mesh/Adjacency.h"
 #include "RefinementMeasures.h"
-#include "Sizing/FeatureSize.h"
-#include "Surface/ExtractInterfaces.h"
-#include "Surface/SmoothSurface.h"
+#include "SizedSurfaces.h"
 
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <sys/resource.h>
 
 using namespace lamina;
-
-namespace
-{
-
-template<typename T>
-std::vector<T> Take(std::ifstream& file, std::size_t count)
-{
-  std::vector<T> values(count);
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  return values;
-}
-
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-template<typename R>
-void Demand(const R& result, const char* stage)
-{
-  if (!result)
-  {
-    std::printf("%s: %s\n", stage, result.GetError().message.c_str());
-    std::exit(1);
-  }
-}
-
-TriangleComplex FromLabels(std::ifstream& file, double& voxel, Monitor& monitor)
-{
-  LabelImage image;
-  const auto size = Take<Id>(file, 3);
-  const auto spacing = Take<double>(file, 3);
-  image.grid.size = { { size[0], size[1], size[2] } };
-  image.grid.spacing = { spacing[0], spacing[1], spacing[2] };
-  image.labels = Take<int>(file, static_cast<std::size_t>(image.grid.Count()));
-  voxel = std::min({ spacing[0], spacing[1], spacing[2] });
-  TriangleComplex surface;
-  Demand(ExtractInterfaces(image, surface, {}, monitor), "extract");
-  Demand(SmoothSurface(surface, {}, monitor), "smooth");
-  return surface;
-}
-
-TriangleComplex FromTriangles(std::ifstream& file)
-{
-  TriangleComplex surface;
-  const auto counts = Take<Id>(file, 2);
-  surface.points = Take<Vec3>(file, static_cast<std::size_t>(counts[0]));
-  surface.triangles = Take<Triangle>(file, static_cast<std::size_t>(counts[1]));
-  surface.materials.assign(surface.triangles.size(), { 1, 0 });
-  if (MaterialVolumes(surface, { 1 })[0] < 0)
-  {
-    for (Triangle& t : surface.triangles)
-    {
-      std::swap(t[1], t[2]);
-    }
-  }
-  return surface;
-}
-
-/// Calls act(column) for everything that a sized surface holds.
-template<typename Act>
-void ForColumns(TriangleComplex& s, Act&& act)
-{
-  act(s.points);
-  act(s.triangles);
-  act(s.materials);
-  act(s.patches);
-  act(s.junctionKind);
-  act(s.junctionOrder);
-  act(s.featureSize);
-  act(s.targetEdgeLength);
-  act(s.sizedMaterials);
-  act(s.thickness);
-  act(s.maximumCurvature);
-  act(s.minimumCurvature);
-  act(s.maximumCurvatureDirection);
-}
-
-void Save(TriangleComplex& surface, double voxel, const std::string& path)
-{
-  std::ofstream file(path, std::ios::binary);
-  const auto put = [&](const void* data, std::size_t bytes)
-  { file.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes)); };
-  put(&voxel, sizeof(voxel));
-  ForColumns(surface,
-             [&](const auto& column)
-             {
-               const Id count = static_cast<Id>(column.size());
-               put(&count, sizeof(count));
-               put(column.data(), column.size() * sizeof(column[0]));
-             });
-}
-
-TriangleComplex Load(std::ifstream& file, double& voxel)
-{
-  TriangleComplex surface;
-  voxel = Take<double>(file, 1)[0];
-  ForColumns(surface,
-             [&](auto& column)
-             {
-               using Value = typename std::decay_t<decltype(column)>::value_type;
-               column = Take<Value>(file, static_cast<std::size_t>(Take<Id>(file, 1)[0]));
-             });
-  return surface;
-}
-
-class Arguments
-{
-public:
-  Arguments(int argc, char** argv)
-    : Words(argv + 2, argv + argc)
-  {
-  }
-  double Get(const std::string& name, double otherwise) const
-  {
-    const std::string text = this->Text(name);
-    return text.empty() ? otherwise : std::atof(text.c_str());
-  }
-  std::string Text(const std::string& name) const
-  {
-    for (const std::string& word : this->Words)
-    {
-      if (word.rfind(name + "=", 0) == 0)
-      {
-        return word.substr(name.size() + 1);
-      }
-    }
-    return {};
-  }
-
-private:
-  std::vector<std::string> Words;
-};
-
-} // namespace
 
 int main(int argc, char** argv)
 {
@@ -161,28 +20,14 @@ int main(int argc, char** argv)
     std::printf("MeasureRefinement FILE [NAME=VALUE]...\n");
     return 1;
   }
-  const Arguments arguments(argc, argv);
+  const measures::Arguments arguments(argc, argv);
   const std::string path = argv[1];
-  std::ifstream file(path, std::ios::binary);
   ThreadMonitor monitor(static_cast<int>(arguments.Get("threads", 2)));
   double voxel = 0;
-  TriangleComplex surface;
-  if (EndsWith(path, ".sized"))
-  {
-    surface = Load(file, voxel);
-  }
-  else
-  {
-    surface = EndsWith(path, ".labels") ? FromLabels(file, voxel, monitor) : FromTriangles(file);
-    FeatureSizeOptions sizing;
-    sizing.layers = static_cast<int>(arguments.Get("layers", sizing.layers));
-    sizing.minimum = arguments.Get("minimum", 0);
-    sizing.maximum = arguments.Get("maximum", 0);
-    Demand(ComputeFeatureSize(surface, sizing, monitor), "size");
-  }
+  TriangleComplex surface = measures::Sized(path, arguments, voxel, monitor);
   if (const std::string save = arguments.Text("save"); !save.empty())
   {
-    Save(surface, voxel, save);
+    measures::Save(surface, voxel, save);
   }
   const double uniform = arguments.Get("uniform", 0);
   if (uniform > 0)
@@ -205,7 +50,7 @@ int main(int argc, char** argv)
   const auto report = RefineSurface(surface, options, monitor);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double used = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
-  Demand(report, "refine");
+  measures::Demand(report, "refine");
   rusage memory{};
   getrusage(RUSAGE_SELF, &memory);
   std::printf("%s: %zu -> %zu triangles, %.1f s (%.1f s of processors), %.2f GiB\n", path.c_str(),
