@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Columns.h"
+#include "FrontCheck.h"
 
 namespace lamina
 {
@@ -35,6 +36,7 @@ private:
   void SetHeights();
   void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
+  /// Limit the slope of heights round the columns in Lowered.
   void LimitSlopes();
   void Shrink(Id v, double factor);
   void Stop(Id v);
@@ -42,7 +44,8 @@ private:
   // Cells and fronts (ColumnMending.cxx).
   bool IsSound(Id triangle) const;
   Id MendCells(int round);
-  Id MendFronts(int round);
+  double GapWish(Id v, double edge) const;
+  Id MendFronts(FrontCheck& front, int round);
   std::vector<Vec3> FrontPoints() const;
 
   // Tops moved to where the cells are best (ColumnFairing.cxx).
@@ -76,6 +79,7 @@ private:
   std::vector<double> WallGap;
   std::vector<char> Frozen; ///< columns that fairing leaves alone
   std::vector<char> Dirty;  ///< triangles to test (again)
+  std::vector<Id> Lowered;  ///< columns that became lower since slopes were limited
 };
 
 } // namespace lamina

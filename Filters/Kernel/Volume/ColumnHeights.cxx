@@ -93,16 +93,18 @@ void ColumnGrowth::SetHeights()
 }
 
 /// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped
-/// columns count as height 0, so that layers thin out towards them.
+/// columns count as height 0, so that layers thin out towards them. Only columns that became lower can make
+/// others too high.
 void ColumnGrowth::LimitSlopes()
 {
   using Item = std::pair<double, Id>;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
   std::vector<double>& h = this->C.height;
-  for (std::size_t v = 0; v < h.size(); ++v)
+  for (Id v : this->Lowered)
   {
-    queue.push({ h[v], static_cast<Id>(v) });
+    queue.push({ h[U(v)], v });
   }
+  this->Lowered.clear();
   while (!queue.empty())
   {
     const Item item = queue.top();
@@ -134,6 +136,7 @@ void ColumnGrowth::LimitSlopes()
 void ColumnGrowth::Stop(Id v)
 {
   this->C.height[U(v)] = 0;
+  this->Lowered.push_back(v);
   for (Id t : Row(this->W.star, v))
   {
     this->Dirty[U(t)] = 1;
@@ -155,6 +158,7 @@ void ColumnGrowth::Shrink(Id v, double factor)
     this->Stop(v);
     return;
   }
+  this->Lowered.push_back(v);
   for (Id t : Row(this->W.star, v))
   {
     this->Dirty[U(t)] = 1;

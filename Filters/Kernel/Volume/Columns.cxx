@@ -4,6 +4,7 @@
 #include "ColumnGrowth.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace lamina
@@ -38,11 +39,14 @@ void ColumnGrowth::SetFractions()
 bool ColumnGrowth::Mend(Monitor& watch)
 {
   this->Dirty.assign(this->W.triangles.size(), 1);
+  this->Lowered.resize(this->W.points.size());
+  std::iota(this->Lowered.begin(), this->Lowered.end(), Id{ 0 });
+  FrontCheck front(this->W);
   for (int round = 0; round < MostRounds && !watch.Cancelled(); ++round)
   {
     this->LimitSlopes();
     watch.Progress(static_cast<double>(round) / MostRounds, "growing layers");
-    if (this->MendCells(round) == 0 && this->MendFronts(round) == 0)
+    if (this->MendCells(round) == 0 && this->MendFronts(front, round) == 0)
     {
       return true;
     }
