@@ -315,3 +315,37 @@ TEST(PrismLayers, Errors)
   bad.materials.pop_back();
   ExpectError(bad, options, Failure::InvalidInput, "");
 }
+
+TEST(PrismLayers, PoorColumnsEnd)
+{
+  // A tip of four faces, cut at its middle: along no direction prisms on its faces are good.
+  TriangleComplex surface;
+  surface.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, 1.2 } };
+  surface.triangles = { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 4, 3 }, { 0, 1, 4 },
+                        { 5, 1, 2 }, { 5, 2, 3 }, { 5, 3, 4 }, { 5, 4, 1 } };
+  surface.materials.assign(8, { 1, 0 });
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  options.layers = 2;
+  const Layers kept = Grow(surface, options);
+  ExpectSound(surface, kept, 1, { 1 });
+  EXPECT_EQ(kept.report.stoppedColumns, 0);
+  EXPECT_GT(kept.report.leastQuality, 0.2);
+  // More than the faces allow at the tip and on the rim, but not at the middle of the base.
+  options.leastQuality = 0.6;
+  const Layers ended = Grow(surface, options);
+  ExpectSound(surface, ended, 1, { 1 });
+  EXPECT_GT(ended.report.stoppedColumns, 0);
+  EXPECT_EQ(ended.report.stoppedPlaces.size(), static_cast<std::size_t>(ended.report.stoppedColumns));
+  EXPECT_EQ(*std::min_element(ended.onSurface.achieved.begin(), ended.onSurface.achieved.end()), 0);
+  options.endColumns = false;
+  ExpectError(surface, options, Failure::Unreachable, "let columns end");
+  options.leastQuality = 0.2;
+  EXPECT_EQ(Grow(surface, options).report.wedges, kept.report.wedges);
+  for (const double quality : { -0.1, 1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.leastQuality = quality;
+    ExpectError(surface, options, Failure::InvalidOption, "least quality");
+  }
+}

@@ -22,6 +22,21 @@ std::size_t U(Id i)
 
 } // namespace
 
+/// What the wall triangle and the directions on it allow at no height: no cell can be better.
+double ColumnGrowth::AllowedOn(Id t) const
+{
+  const Triangle& c = this->W.triangles[U(t)];
+  double least = 1;
+  double product = TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])], this->W.points[U(c[2])]);
+  for (Id v : c)
+  {
+    const double cosine = this->C.Stopped(v) ? 1 : Dot(this->C.direction[U(v)], this->Normals[U(t)]);
+    least = std::min(least, this->GroundAt(t, v) * cosine);
+    product *= std::max(0.0, cosine);
+  }
+  return this->Options.cells == ColumnCells::Tets ? product : std::max(0.0, least);
+}
+
 bool ColumnGrowth::IsSound(Id t) const
 {
   const Triangle& c = this->W.triangles[U(t)];
@@ -29,12 +44,7 @@ bool ColumnGrowth::IsSound(Id t) const
   {
     return true;
   }
-  // What the wall triangle and the directions on it allow at no height: no cell can be better.
-  double allowed = TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])], this->W.points[U(c[2])]);
-  for (Id v : c)
-  {
-    allowed *= this->C.Stopped(v) ? 1 : std::max(0.0, Dot(this->C.direction[U(v)], this->Normals[U(t)]));
-  }
+  const double allowed = this->AllowedOn(t);
   std::array<ColumnCell, 3> cells;
   const bool tets = this->Options.cells == ColumnCells::Tets;
   for (int layer = 1; layer <= this->C.layers; ++layer)
@@ -44,7 +54,9 @@ bool ColumnGrowth::IsSound(Id t) const
     {
       const ColumnCell& cell = cells[static_cast<std::size_t>(i)];
       const double q = QualityOf(this->W, this->C, cell);
-      double gate = std::min(0.3, 0.5 * allowed);
+      // Half of it, and what is asked for if lower prisms can have it.
+      const double asked = std::min(1.05 * this->Options.leastQuality, 0.98 * allowed);
+      double gate = std::max(std::min(0.3, 0.5 * allowed), asked);
       if (tets)
       {
         gate = std::min(leastTetQuality, allowed);
