@@ -136,6 +136,7 @@ TEST(PrismLayers, SphereIsAllWedges)
   const TriangleComplex surface = SizedSphere(2);
   PrismLayersOptions options;
   options.materials = { 3 };
+  options.total = 0.5;
   const Layers layers = Grow(surface, options);
   ExpectSound(surface, layers, 3, { 3 });
   const Id triangles = static_cast<Id>(surface.triangles.size());
@@ -146,7 +147,7 @@ TEST(PrismLayers, SphereIsAllWedges)
   EXPECT_GT(layers.report.leastQuality, 0.3);
   EXPECT_EQ(layers.onSurface.achieved, std::vector<int>(surface.triangles.size(), 5));
   EXPECT_EQ(std::count(layers.mesh.layers.begin(), layers.mesh.layers.end(), 1), triangles);
-  // Growth 1.2: the front stands a quarter of the diameter inside, the first layer 1 / 7.4416 of that.
+  // Growth 1.2: the first layer is 1 / 7.4416 of all.
   for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
   {
     const double depth = 1 - Norm(layers.mesh.points[p] - Vec3{ 5, 5, 5 });

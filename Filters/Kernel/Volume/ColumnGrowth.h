@@ -45,6 +45,8 @@ private:
   void SetHeights();
   void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
+  bool IsFollowedWell(Id triangle) const;
+  void LowerLargePrisms();
   /// Limit the slope of heights round the columns in Lowered.
   void LimitSlopes();
   void Shrink(Id v, double factor);
