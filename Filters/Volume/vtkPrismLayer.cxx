@@ -114,6 +114,7 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
     const lamina::PrismLayersOptions options{ this->FluidMaterials,    this->Layers,
                                               this->GrowthRatio,       this->Thickness,
                                               this->TotalThickness,    this->FirstHeight,
+                                              this->LeastQuality,      this->EndColumns,
                                               this->NeighbourMaterials };
     lamina::VolumeMesh mesh;
     lamina::TriangleComplex front;
@@ -143,5 +144,7 @@ void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "TotalThickness: " << this->TotalThickness << "\n";
   os << indent << "FirstHeight: " << this->FirstHeight << "\n";
+  os << indent << "LeastQuality: " << this->LeastQuality << "\n";
+  os << indent << "EndColumns: " << this->EndColumns << "\n";
   os << indent << "NeighbourMaterials: " << lamina::Listed(this->NeighbourMaterials) << "\n";
 }

@@ -98,6 +98,26 @@ public:
 
   ///@{
   /**
+   * Prisms have a scaled aspect ratio above this, in [0, 1): where the wall does not allow it, columns end in
+   * pyramids and tetrahedra; but not at points that Surface Refinement flags as hidden, nor at triangles with
+   * 2r/R below 0.3. 0: only valid ones are asked for. Default: 0.2.
+   */
+  vtkSetMacro(LeastQuality, double);
+  vtkGetMacro(LeastQuality, double);
+  ///@}
+
+  ///@{
+  /**
+   * Columns end in pyramids and tetrahedra where no layers can stand; off: that is an error with the places.
+   * Default: on.
+   */
+  vtkSetMacro(EndColumns, bool);
+  vtkGetMacro(EndColumns, bool);
+  vtkBooleanMacro(EndColumns, bool);
+  ///@}
+
+  ///@{
+  /**
    * The materials on whose walls prisms grow; 0 is the outside. Default: none, which stands for all.
    */
   void AddNeighbourMaterial(int material);
@@ -124,6 +144,8 @@ private:
   double Thickness = 0.25;
   double TotalThickness = 0.0;
   double FirstHeight = 0.0;
+  double LeastQuality = 0.2;
+  bool EndColumns = true;
   std::vector<int> NeighbourMaterials;
 };
 

@@ -150,6 +150,14 @@ TEST(PrismLayer, ArraysOfTheContractAndRanges)
   filter->SetGrowthRatio(1);
   filter->SetThickness(0.6);
   ExpectError(filter, "hickness");
+  filter->SetThickness(0.25);
+  filter->SetLeastQuality(1);
+  ExpectError(filter, "least quality");
+  filter->SetLeastQuality(0.99); // of which no prism of this surface is
+  filter->EndColumnsOff();
+  ExpectError(filter, "no layers can stand at");
+  filter->SetLeastQuality(0);
+  ExpectFine(filter);
 }
 
 TEST(MeshAudit, PassesTheWholeMeshAndFindsAPartMissing)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/Quality.h"
 #include "Search/SelfIntersection.h"
 #include "Shapes.h"
 #include "Volume/ColumnCells.h"
@@ -155,12 +156,40 @@ TEST(Columns, SphereShrinksNothing)
   TriangleComplex surface;
   shapes::AddSphere(surface, {}, 1, 2, { 1, 0 });
   const Wall wall = MakeWall(surface, 1);
-  const Columns columns = Grow(wall, {});
+  ColumnOptions options;
+  options.total = 0.5;
+  const Columns columns = Grow(wall, options);
   ExpectSound(wall, columns, ColumnCells::Prisms);
   EXPECT_EQ(columns.height, columns.wanted);
-  for (double height : columns.height)
+  EXPECT_EQ(columns.height, std::vector<double>(wall.points.size(), 0.5));
+}
+
+TEST(Columns, LastPrismsFitTheCore)
+{
+  // A quarter of the diameter would end in prisms several times as large as tets on what is left of the
+  // triangles there.
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 2, { 1, 0 });
+  const Wall wall = MakeWall(surface, 1);
+  for (const int layers : { 1, 5 })
   {
-    EXPECT_NEAR(height, 0.5, 0.03); // a quarter of the diameter, which facets make a little shorter
+    ColumnOptions options;
+    options.layers = layers;
+    const Columns columns = Grow(wall, options);
+    ExpectSound(wall, columns, ColumnCells::Prisms);
+    EXPECT_EQ(columns.height, columns.wanted); // it is what is asked for
+    double most = 0;
+    for (const Triangle& t : wall.triangles)
+    {
+      const auto at = [&](std::size_t k, int layer) { return columns.Place(wall, t[k], layer); };
+      const std::array<Vec3, 3> top{ { at(0, layers), at(1, layers), at(2, layers) } };
+      const double volume =
+        WedgeVolume({ { at(0, layers - 1), at(2, layers - 1), at(1, layers - 1), top[0], top[2], top[1] } });
+      const double side = (Norm(top[1] - top[0]) + Norm(top[2] - top[1]) + Norm(top[0] - top[2])) / 3;
+      most = std::max(most, volume / (side * side * side / std::sqrt(72.0)));
+    }
+    EXPECT_LT(most, 1.1);
+    EXPECT_GT(most, 0.8);
   }
 }
 

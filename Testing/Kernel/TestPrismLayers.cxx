@@ -136,6 +136,7 @@ TEST(PrismLayers, SphereIsAllWedges)
   const TriangleComplex surface = SizedSphere(2);
   PrismLayersOptions options;
   options.materials = { 3 };
+  options.total = 0.5;
   const Layers layers = Grow(surface, options);
   ExpectSound(surface, layers, 3, { 3 });
   const Id triangles = static_cast<Id>(surface.triangles.size());
@@ -146,7 +147,7 @@ TEST(PrismLayers, SphereIsAllWedges)
   EXPECT_GT(layers.report.leastQuality, 0.3);
   EXPECT_EQ(layers.onSurface.achieved, std::vector<int>(surface.triangles.size(), 5));
   EXPECT_EQ(std::count(layers.mesh.layers.begin(), layers.mesh.layers.end(), 1), triangles);
-  // Growth 1.2: the front stands a quarter of the diameter inside, the first layer 1 / 7.4416 of that.
+  // Growth 1.2: the first layer is 1 / 7.4416 of all.
   for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
   {
     const double depth = 1 - Norm(layers.mesh.points[p] - Vec3{ 5, 5, 5 });
@@ -314,4 +315,38 @@ TEST(PrismLayers, Errors)
   bad.triangles.pop_back();
   bad.materials.pop_back();
   ExpectError(bad, options, Failure::InvalidInput, "");
+}
+
+TEST(PrismLayers, PoorColumnsEnd)
+{
+  // A tip of four faces, cut at its middle: along no direction prisms on its faces are good.
+  TriangleComplex surface;
+  surface.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, 1.2 } };
+  surface.triangles = { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 4, 3 }, { 0, 1, 4 },
+                        { 5, 1, 2 }, { 5, 2, 3 }, { 5, 3, 4 }, { 5, 4, 1 } };
+  surface.materials.assign(8, { 1, 0 });
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  options.layers = 2;
+  const Layers kept = Grow(surface, options);
+  ExpectSound(surface, kept, 1, { 1 });
+  EXPECT_EQ(kept.report.stoppedColumns, 0);
+  EXPECT_GT(kept.report.leastQuality, 0.2);
+  // More than the faces allow at the tip and on the rim, but not at the middle of the base.
+  options.leastQuality = 0.6;
+  const Layers ended = Grow(surface, options);
+  ExpectSound(surface, ended, 1, { 1 });
+  EXPECT_GT(ended.report.stoppedColumns, 0);
+  EXPECT_EQ(ended.report.stoppedPlaces.size(), static_cast<std::size_t>(ended.report.stoppedColumns));
+  EXPECT_EQ(*std::min_element(ended.onSurface.achieved.begin(), ended.onSurface.achieved.end()), 0);
+  options.endColumns = false;
+  ExpectError(surface, options, Failure::Unreachable, "let columns end");
+  options.leastQuality = 0.2;
+  EXPECT_EQ(Grow(surface, options).report.wedges, kept.report.wedges);
+  for (const double quality : { -0.1, 1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.leastQuality = quality;
+    ExpectError(surface, options, Failure::InvalidOption, "least quality");
+  }
 }

@@ -108,6 +108,39 @@ TEST(Quality, WedgeReferenceValues)
   EXPECT_LT(WedgeJacobian(twisted)[1][0], 0);
 }
 
+TEST(Quality, SplitsOfWedges)
+{
+  // All tets with a corner on each side edge and one edge along one, against what the wedge's order says.
+  std::mt19937 generator(5);
+  std::normal_distribution<double> noise(0, 0.2);
+  int valid = 0;
+  for (int cell = 0; cell < 400; ++cell)
+  {
+    auto p = Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, Root3 / 2, 0 }, { 0, 0, 0.6 });
+    const auto right = p;
+    for (Vec3& node : p)
+    {
+      node += { noise(generator), noise(generator), noise(generator) };
+    }
+    bool all = true;
+    for (unsigned choice = 0; choice < 24; ++choice)
+    {
+      // Corner `choice % 3` is there below and above; the other two, each below or above.
+      const std::size_t i = choice % 3;
+      const std::size_t j = (i + 1) % 3 + (choice / 3 % 2) * 3;
+      const std::size_t k = (i + 2) % 3 + (choice / 6 % 2) * 3;
+      const double sign = TetVolume(right[i], right[j], right[k], right[i + 3]);
+      all = all && sign * TetVolume(p[i], p[j], p[k], p[i + 3]) > 0;
+    }
+    EXPECT_EQ(WedgeSplitsAreValid(p), all) << cell;
+    valid += all ? 1 : 0;
+  }
+  EXPECT_GT(valid, 50);
+  EXPECT_LT(valid, 350);
+  EXPECT_TRUE(WedgeSplitsAreValid(Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 })));
+  EXPECT_FALSE(WedgeSplitsAreValid(Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 })));
+}
+
 TEST(Quality, WedgeAgreesWithSamplingAndQuadrature)
 {
   std::mt19937 generator(3);

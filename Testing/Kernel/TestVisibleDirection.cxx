@@ -83,6 +83,30 @@ TEST(VisibleDirection, NormalsRoundACone)
   }
 }
 
+TEST(VisibleDirection, WeighedAgainstSampling)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> length(0.2, 1);
+  for (int round = 0; round < 60; ++round)
+  {
+    std::vector<Vec3> vectors;
+    const Vec3 up = RandomUnit(random);
+    for (int i = 0; i < 3 + round % 6; ++i)
+    {
+      vectors.push_back(length(random) * Normalized(RandomUnit(random) + 1.2 * up));
+    }
+    const VisibleDirection best = FindWeightedDirection(vectors);
+    EXPECT_NEAR(Norm(best.direction), 1, 1e-12);
+    EXPECT_NEAR(best.leastCosine, LeastCosine(best.direction, vectors), 1e-12);
+    EXPECT_GE(best.leastCosine, BestSample(vectors) - 1e-12);
+    EXPECT_LE(best.leastCosine, BestSample(vectors) + 0.03);
+  }
+  // With vectors of one length it is the direction that sees all best.
+  const std::vector<Vec3> corner{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  EXPECT_NEAR(FindWeightedDirection(corner).leastCosine, FindVisibleDirection(corner).leastCosine, 1e-12);
+  EXPECT_EQ(FindWeightedDirection({}).leastCosine, -1);
+}
+
 TEST(VisibleDirection, NothingIsSeenFromBothSides)
 {
   EXPECT_LE(FindVisibleDirection({ { 0, 0, 1 }, { 0, 0, -1 } }).leastCosine, 0);

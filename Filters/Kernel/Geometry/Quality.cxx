@@ -179,6 +179,23 @@ bool WedgeIsValid(const std::array<Vec3, 6>& nodes)
   return true;
 }
 
+bool WedgeSplitsAreValid(const std::array<Vec3, 6>& p)
+{
+  // Base and top with normals that point from base to top.
+  const std::array<Vec3, 3> b{ { p[0], p[2], p[1] } };
+  const std::array<Vec3, 3> t{ { p[3], p[5], p[4] } };
+  // Tets are a triangle and a corner of the other, or edges of both that share a side edge (at j).
+  bool isPositive = true;
+  for (std::size_t i = 0; i < 3 && isPositive; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    isPositive = TetVolume(b[0], b[1], b[2], t[i]) > 0 && TetVolume(t[0], t[2], t[1], b[i]) > 0 &&
+                 TetVolume(b[i], b[j], t[k], t[j]) > 0 && TetVolume(b[k], b[j], t[j], t[i]) > 0;
+  }
+  return isPositive;
+}
+
 double WedgeVolume(const std::array<Vec3, 6>& nodes)
 {
   double sum = 0;

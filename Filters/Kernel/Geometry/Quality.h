@@ -25,6 +25,8 @@ std::array<double, 2> TetDihedralAngles(const Vec3& a, const Vec3& b, const Vec3
 std::array<std::array<double, 3>, 3> WedgeJacobian(const std::array<Vec3, 6>& nodes);
 /// Exact for the isoparametric cell: the Jacobian is positive everywhere, corners and edges included.
 bool WedgeIsValid(const std::array<Vec3, 6>& nodes);
+/// Every tet of every split of the wedge by diagonals of its sides is positive.
+bool WedgeSplitsAreValid(const std::array<Vec3, 6>& nodes);
 /// Volume of the isoparametric wedge.
 double WedgeVolume(const std::array<Vec3, 6>& nodes);
 /// The smaller of (triangle quality times edge orthogonality) and the scaled Jacobian normalised to 1 for a

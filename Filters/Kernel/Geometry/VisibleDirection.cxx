@@ -2,6 +2,7 @@
 #include "VisibleDirection.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -72,6 +73,42 @@ VisibleDirection FindVisibleDirection(const std::vector<Vec3>& n)
     least = std::min(least, Dot(best.direction, v));
   }
   best.leastCosine = least;
+  return best;
+}
+
+VisibleDirection FindWeightedDirection(const std::vector<Vec3>& a)
+{
+  // The best direction points to the point nearest to the origin of the vectors' convex hull, which lies on a
+  // corner, an edge or a face of it.
+  VisibleDirection best;
+  const auto attempt = [&](const Vec3& towards)
+  {
+    const Vec3 m = Normalized(towards);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.size() && least > best.leastCosine; ++i)
+    {
+      least = std::min(least, Dot(m, a[i]));
+    }
+    if (least > best.leastCosine && Norm2(m) > 0)
+    {
+      best = { m, least };
+    }
+  };
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    attempt(a[i]);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const Vec3 side = a[j] - a[i];
+      const double length2 = Norm2(side);
+      attempt(length2 > 0 ? a[i] - (Dot(a[i], side) / length2) * side : a[i]);
+      for (std::size_t k = 0; k < j; ++k)
+      {
+        const Vec3 normal = Cross(side, a[k] - a[i]);
+        attempt(Dot(normal, a[i]) < 0 ? -1.0 * normal : normal);
+      }
+    }
+  }
   return best;
 }
 

@@ -17,4 +17,9 @@ struct VisibleDirection
 /// cone that holds them (an incremental construction as for the smallest enclosing ball).
 VisibleDirection FindVisibleDirection(const std::vector<Vec3>& normals);
 
+/// The unit vector whose least dot product with the given vectors of any length is largest, and that product:
+/// with normals as long as their faces are well shaped it leans less on the poor ones. By trying all that two
+/// or three of them can determine, so for a few vectors.
+VisibleDirection FindWeightedDirection(const std::vector<Vec3>& vectors);
+
 } // namespace lamina

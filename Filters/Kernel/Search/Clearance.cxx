@@ -59,6 +59,51 @@ double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<
   return best;
 }
 
+double TriangleClearance(const TriangleTree& tree, const std::vector<Vec3>& points,
+                         const std::vector<Triangle>& triangles, Id t, double cutoff)
+{
+  const auto corners = [&](Id id)
+  {
+    const Triangle& c = triangles[static_cast<std::size_t>(id)];
+    return std::array<Vec3, 3>{ { points[static_cast<std::size_t>(c[0])],
+                                  points[static_cast<std::size_t>(c[1])],
+                                  points[static_cast<std::size_t>(c[2])] } };
+  };
+  const std::array<Vec3, 3> own = corners(t);
+  Box box;
+  for (const Vec3& p : own)
+  {
+    box.Add(p);
+  }
+  const Box tight = box;
+  box.Grow(cutoff);
+  double best2 = cutoff * cutoff;
+  tree.ForOverlaps(
+    box,
+    [&](Id other)
+    {
+      if (ShareCorner(triangles[static_cast<std::size_t>(t)], triangles[static_cast<std::size_t>(other)]))
+      {
+        return true;
+      }
+      const std::array<Vec3, 3> theirs = corners(other);
+      double gap2 = 0; // of the two boxes, to spare most exact distances
+      for (int c = 0; c < 3; ++c)
+      {
+        const double low = std::min({ theirs[0][c], theirs[1][c], theirs[2][c] });
+        const double high = std::max({ theirs[0][c], theirs[1][c], theirs[2][c] });
+        const double gap = std::max({ 0.0, low - tight.high[c], tight.low[c] - high });
+        gap2 += gap * gap;
+      }
+      if (gap2 < best2)
+      {
+        best2 = std::min(best2, TriangleTriangleDistance2(own, theirs));
+      }
+      return true;
+    });
+  return std::sqrt(best2);
+}
+
 std::vector<double> PointClearances(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                                     double cutoff, Monitor& monitor)
 {
@@ -69,58 +114,19 @@ std::vector<double> PointClearances(const std::vector<Vec3>& points, const std::
                                     const std::vector<double>& cutoffs, Monitor& monitor)
 {
   const TriangleTree tree(points, triangles);
-  const auto corners = [&](Id t)
-  {
-    const Triangle& c = triangles[static_cast<std::size_t>(t)];
-    return std::array<Vec3, 3>{ { points[static_cast<std::size_t>(c[0])],
-                                  points[static_cast<std::size_t>(c[1])],
-                                  points[static_cast<std::size_t>(c[2])] } };
-  };
   std::vector<double> ofTriangle(triangles.size());
   monitor.For(static_cast<Id>(triangles.size()), 512,
               [&](Id begin, Id end)
               {
                 for (Id t = begin; t < end; ++t)
                 {
-                  const std::array<Vec3, 3> own = corners(t);
                   double cutoff = 0;
                   for (Id p : triangles[static_cast<std::size_t>(t)])
                   {
                     cutoff = std::max(cutoff, cutoffs[static_cast<std::size_t>(p)]);
                   }
-                  Box box;
-                  for (const Vec3& p : own)
-                  {
-                    box.Add(p);
-                  }
-                  const Box tight = box;
-                  box.Grow(cutoff);
-                  double best2 = cutoff * cutoff;
-                  tree.ForOverlaps(
-                    box,
-                    [&](Id other)
-                    {
-                      if (ShareCorner(triangles[static_cast<std::size_t>(t)],
-                                      triangles[static_cast<std::size_t>(other)]))
-                      {
-                        return true;
-                      }
-                      const std::array<Vec3, 3> theirs = corners(other);
-                      double gap2 = 0; // of the two boxes, to spare most exact distances
-                      for (int c = 0; c < 3; ++c)
-                      {
-                        const double low = std::min({ theirs[0][c], theirs[1][c], theirs[2][c] });
-                        const double high = std::max({ theirs[0][c], theirs[1][c], theirs[2][c] });
-                        const double gap = std::max({ 0.0, low - tight.high[c], tight.low[c] - high });
-                        gap2 += gap * gap;
-                      }
-                      if (gap2 < best2)
-                      {
-                        best2 = std::min(best2, TriangleTriangleDistance2(own, theirs));
-                      }
-                      return true;
-                    });
-                  ofTriangle[static_cast<std::size_t>(t)] = std::sqrt(best2);
+                  ofTriangle[static_cast<std::size_t>(t)] =
+                    TriangleClearance(tree, points, triangles, t, cutoff);
                 }
               });
   std::vector<double> ofPoint = cutoffs;

@@ -113,7 +113,11 @@ double QualityOf(const Wall& wall, const Columns& columns, const ColumnCell& cel
   switch (cell.type)
   {
     case CellType::Wedge:
-      return WedgeQuality({ { at(0), at(1), at(2), at(3), at(4), at(5) } });
+    {
+      const std::array<Vec3, 6> nodes{ { at(0), at(1), at(2), at(3), at(4), at(5) } };
+      const double quality = WedgeQuality(nodes);
+      return WedgeSplitsAreValid(nodes) ? quality : std::min(0.0, quality);
+    }
     case CellType::Pyramid:
     {
       const std::array<Vec3, 5> nodes{ { at(0), at(1), at(2), at(3), at(4) } };

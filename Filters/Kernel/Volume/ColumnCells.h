@@ -27,7 +27,7 @@ struct ColumnCell
 int CellsOfTriangle(const Wall& wall, const Columns& columns, Id triangle, int layer, ColumnCells kind,
                     std::array<ColumnCell, 3>& cells);
 
-/// Quality of a cell (Quality.h), not positive if it is invalid.
+/// Quality of a cell (Quality.h), not positive if it is invalid, or a wedge that has a split which is.
 double QualityOf(const Wall& wall, const Columns& columns, const ColumnCell& cell);
 
 } // namespace lamina

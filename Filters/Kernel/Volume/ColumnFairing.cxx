@@ -40,7 +40,10 @@ double ColumnGrowth::WorstOf(Id triangle, double enough) const
     const int count = CellsOfTriangle(this->W, this->C, triangle, layer, this->Options.cells, cells);
     for (int i = 0; i < count; ++i)
     {
-      worst = std::min(worst, QualityOf(this->W, this->C, cells[U(i)]));
+      // What stands beside a stopped column is thin whatever is done: prisms must not pay for it.
+      const double quality = QualityOf(this->W, this->C, cells[U(i)]);
+      const bool isPrism = cells[U(i)].type == CellType::Wedge;
+      worst = std::min(worst, isPrism || !(quality > 0) ? quality : 1);
     }
   }
   return worst;

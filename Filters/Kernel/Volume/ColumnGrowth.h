@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Columns.h"
+#include "FrontCheck.h"
 
 namespace lamina
 {
@@ -22,27 +23,41 @@ private:
   void SetFractions();
   /// Shrink columns, and stop them at last, until all is sound. False: it did not come to an end.
   bool Mend(Monitor& watch);
+  /// Stop columns until no prism is left that should be better; false: mending did not come to an end.
+  bool StopPoor(Monitor& watch);
+  /// For each triangle whose prisms are not what they must be the column that allows least.
+  std::vector<Id> PoorlyStanding() const;
   /// Fair poor prisms and mend what is not sound then; undone where that costs a column.
   void Fair(Monitor& watch);
+  /// Freezes the columns that stopped since or bear poor prisms, and those near them; false if there are
+  /// none.
   bool FreezeLost(const Columns& before);
 
   // Directions (ColumnDirections.cxx).
   void FindDirections();
+  void FindDirection(Id v);
+  double GroundAt(Id triangle, Id v) const;
   void SmoothDirections();
+  /// The least quality that prisms at v can reach along this direction, however low.
   double Sight(Id v, const Vec3& direction) const;
 
   // Heights (ColumnHeights.cxx).
   void SetHeights();
   void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
+  bool IsFollowedWell(Id triangle) const;
+  void LowerLargePrisms();
+  /// Limit the slope of heights round the columns in Lowered.
   void LimitSlopes();
   void Shrink(Id v, double factor);
   void Stop(Id v);
 
   // Cells and fronts (ColumnMending.cxx).
   bool IsSound(Id triangle) const;
+  double AllowedOn(Id triangle) const;
   Id MendCells(int round);
-  Id MendFronts(int round);
+  double GapWish(Id v, double edge) const;
+  Id MendFronts(FrontCheck& front, int round);
   std::vector<Vec3> FrontPoints() const;
 
   // Tops moved to where the cells are best (ColumnFairing.cxx).
@@ -63,19 +78,23 @@ private:
   static constexpr int MostRounds = 120;
   /// Fronts should be this much of an edge apart, for the core between them to be well shaped.
   static constexpr double GapOfEdge = 0.3;
+  /// A direction must allow this much more than the quality asked for, for prisms of some height to have it.
+  static constexpr double RoomAbove = 1.03;
   double WallEdge(Id v) const { return this->Edge[static_cast<std::size_t>(v)]; }
 
   const Wall& W;
   const ColumnOptions& Options;
   Monitor& Watch;
   Columns C;
-  std::vector<Vec3> Normals; ///< of triangles
-  std::vector<double> Seen;  ///< least cosine between a node's direction and its faces
-  std::vector<double> Edge;  ///< mean length of the wall's edges at a node
+  std::vector<Vec3> Normals;    ///< of triangles
+  std::vector<double> Seen;     ///< Sight() along the column
+  std::vector<char> MustBeGood; ///< columns that stop rather than bear prisms below the quality asked for
+  std::vector<double> Edge;     ///< mean length of the wall's edges at a node
   /// Clearance of the wall's triangles around a node, as far as layers could care.
   std::vector<double> WallGap;
   std::vector<char> Frozen; ///< columns that fairing leaves alone
   std::vector<char> Dirty;  ///< triangles to test (again)
+  std::vector<Id> Lowered;  ///< columns that became lower since slopes were limited
 };
 
 } // namespace lamina

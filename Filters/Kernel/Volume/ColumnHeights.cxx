@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColumnGrowth.h"
 
+#include "../Geometry/Quality.h"
 #include "../Search/Clearance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 namespace lamina
@@ -14,10 +16,13 @@ namespace lamina
 namespace
 {
 
-constexpr double slopeOfHeight = 0.5;   ///< largest change of column height over length along the wall
-constexpr double thinnestLayer = 0.05;  ///< of a tet's layer over its wall edge: thinner ones are bad tets
-constexpr double largestShare = 0.45;   ///< of the thickness, where a length is asked for
-constexpr double tallestPrism = 0.65;   ///< of the last layer over its wall edge
+constexpr double slopeOfHeight = 0.5;  ///< largest change of column height over length along the wall
+constexpr double thinnestLayer = 0.05; ///< of a tet's layer over its wall edge: thinner ones are bad tets
+constexpr double largestShare = 0.45;  ///< of the thickness, where a length is asked for
+constexpr double tallestPrism = 0.3;   ///< of the last layer over its wall edge
+constexpr double largestPrism = 1.05;  ///< of the last layer, over a regular tet on the front
+constexpr double lowering = 0.96;      ///< of columns at a time, until their prisms are no larger
+constexpr int MostLowerings = 60;
 constexpr double thinnestColumn = 1e-4; ///< of a column of prisms over its wall edge
 
 std::size_t U(Id i)
@@ -36,6 +41,64 @@ double ColumnGrowth::TallestColumn(Id v) const
   }
   const double last = 1 - this->C.fraction[U(this->C.layers - 1)];
   return tallestPrism * this->WallEdge(v) / last;
+}
+
+/// Whether the last prism is not much larger than a regular tet on the front's triangle: the core on it could
+/// only be of much smaller cells.
+bool ColumnGrowth::IsFollowedWell(Id t) const
+{
+  const Triangle& c = this->W.triangles[U(t)];
+  if (this->C.Stopped(c[0]) || this->C.Stopped(c[1]) || this->C.Stopped(c[2]))
+  {
+    return true;
+  }
+  std::array<Vec3, 6> p;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    p[i] = this->C.Place(this->W, c[2 - i], this->C.layers - 1);
+    p[i + 3] = this->C.Place(this->W, c[2 - i], this->C.layers);
+  }
+  const double area = 0.5 * Norm(Cross(p[4] - p[3], p[5] - p[3]));
+  const double regular = std::sqrt(8 / std::sqrt(27.0)) / 3 * std::pow(area, 1.5);
+  return WedgeVolume(p) < largestPrism * regular;
+}
+
+/// Lowers columns until no last prism is too large for the core; that is then what is asked for.
+void ColumnGrowth::LowerLargePrisms()
+{
+  std::vector<Id> all(this->W.triangles.size());
+  std::iota(all.begin(), all.end(), Id{ 0 });
+  this->Dirty.assign(all.size(), 1);
+  for (int pass = 0; pass < MostLowerings && !this->Watch.Cancelled(); ++pass)
+  {
+    std::vector<char> isLarge(all.size(), 0);
+    this->Watch.For(static_cast<Id>(all.size()), 512,
+                    [&](Id begin, Id end)
+                    {
+                      for (Id t = begin; t < end; ++t)
+                      {
+                        isLarge[U(t)] = this->Dirty[U(t)] != 0 && !this->IsFollowedWell(t) ? 1 : 0;
+                      }
+                    });
+    std::fill(this->Dirty.begin(), this->Dirty.end(), 0);
+    std::vector<Id> nodes;
+    for (Id t : all)
+    {
+      const Triangle& c = this->W.triangles[U(t)];
+      nodes.insert(nodes.end(), c.begin(), isLarge[U(t)] ? c.end() : c.begin());
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    if (nodes.empty())
+    {
+      break;
+    }
+    for (Id v : nodes)
+    {
+      this->Shrink(v, lowering);
+    }
+  }
+  this->C.wanted = this->C.height;
 }
 
 /// The height asked for and the one to start from.
@@ -84,6 +147,11 @@ void ColumnGrowth::SetHeights()
                       this->SetHeight(v, std::isfinite(thickness) ? thickness : 0);
                     }
                   });
+  const bool isFixed = this->Options.total > 0 || this->Options.firstHeight > 0;
+  if (this->Options.cells == ColumnCells::Prisms && !isFixed)
+  {
+    this->LowerLargePrisms();
+  }
   std::vector<double> reach(count);
   for (std::size_t v = 0; v < count; ++v)
   {
@@ -93,16 +161,18 @@ void ColumnGrowth::SetHeights()
 }
 
 /// Heights become the largest field below themselves whose slope along the wall's edges is limited; stopped
-/// columns count as height 0, so that layers thin out towards them.
+/// columns count as height 0, so that layers thin out towards them. Only columns that became lower can make
+/// others too high.
 void ColumnGrowth::LimitSlopes()
 {
   using Item = std::pair<double, Id>;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> queue;
   std::vector<double>& h = this->C.height;
-  for (std::size_t v = 0; v < h.size(); ++v)
+  for (Id v : this->Lowered)
   {
-    queue.push({ h[v], static_cast<Id>(v) });
+    queue.push({ h[U(v)], v });
   }
+  this->Lowered.clear();
   while (!queue.empty())
   {
     const Item item = queue.top();
@@ -134,6 +204,7 @@ void ColumnGrowth::LimitSlopes()
 void ColumnGrowth::Stop(Id v)
 {
   this->C.height[U(v)] = 0;
+  this->Lowered.push_back(v);
   for (Id t : Row(this->W.star, v))
   {
     this->Dirty[U(t)] = 1;
@@ -155,6 +226,7 @@ void ColumnGrowth::Shrink(Id v, double factor)
     this->Stop(v);
     return;
   }
+  this->Lowered.push_back(v);
   for (Id t : Row(this->W.star, v))
   {
     this->Dirty[U(t)] = 1;

@@ -3,8 +3,6 @@
 #include "ColumnGrowth.h"
 
 #include "../Geometry/Quality.h"
-#include "../Search/Clearance.h"
-#include "../Search/SelfIntersection.h"
 
 #include <algorithm>
 
@@ -24,6 +22,21 @@ std::size_t U(Id i)
 
 } // namespace
 
+/// What the wall triangle and the directions on it allow at no height: no cell can be better.
+double ColumnGrowth::AllowedOn(Id t) const
+{
+  const Triangle& c = this->W.triangles[U(t)];
+  double least = 1;
+  double product = TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])], this->W.points[U(c[2])]);
+  for (Id v : c)
+  {
+    const double cosine = this->C.Stopped(v) ? 1 : Dot(this->C.direction[U(v)], this->Normals[U(t)]);
+    least = std::min(least, this->GroundAt(t, v) * cosine);
+    product *= std::max(0.0, cosine);
+  }
+  return this->Options.cells == ColumnCells::Tets ? product : std::max(0.0, least);
+}
+
 bool ColumnGrowth::IsSound(Id t) const
 {
   const Triangle& c = this->W.triangles[U(t)];
@@ -31,12 +44,7 @@ bool ColumnGrowth::IsSound(Id t) const
   {
     return true;
   }
-  // What the wall triangle and the directions on it allow at no height: no cell can be better.
-  double allowed = TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])], this->W.points[U(c[2])]);
-  for (Id v : c)
-  {
-    allowed *= this->C.Stopped(v) ? 1 : std::max(0.0, Dot(this->C.direction[U(v)], this->Normals[U(t)]));
-  }
+  const double allowed = this->AllowedOn(t);
   std::array<ColumnCell, 3> cells;
   const bool tets = this->Options.cells == ColumnCells::Tets;
   for (int layer = 1; layer <= this->C.layers; ++layer)
@@ -46,7 +54,9 @@ bool ColumnGrowth::IsSound(Id t) const
     {
       const ColumnCell& cell = cells[static_cast<std::size_t>(i)];
       const double q = QualityOf(this->W, this->C, cell);
-      double gate = std::min(0.3, 0.5 * allowed);
+      // Half of it, and what is asked for if lower prisms can have it.
+      const double asked = std::min(1.05 * this->Options.leastQuality, 0.98 * allowed);
+      double gate = std::max(std::min(0.3, 0.5 * allowed), asked);
       if (tets)
       {
         gate = std::min(leastTetQuality, allowed);
@@ -144,61 +154,60 @@ std::vector<Vec3> ColumnGrowth::FrontPoints() const
   return front;
 }
 
+/// How far the front at a point should be from other parts of itself.
+double ColumnGrowth::GapWish(Id v, double edge) const
+{
+  // Layers of tets are thin against their edges, and so may be what is left between them.
+  const double byEdge = this->Options.cells == ColumnCells::Tets ? 0 : GapOfEdge * edge;
+  const double last = this->C.layers > 0 ? 1 - this->C.fraction[U(this->C.layers - 1)] : 0;
+  // At most half of what the wall itself has: there it is the next triangles of the same front that are near.
+  return std::min(std::max(0.6 * last * this->C.height[U(v)], byEdge), 0.5 * this->WallGap[U(v)]);
+}
+
 /// Shrinks the columns under front triangles that intersect others, or come nearer to them than the last
 /// layer is high. Returns how many columns shrank.
-Id ColumnGrowth::MendFronts(int round)
+Id ColumnGrowth::MendFronts(FrontCheck& front, int round)
 {
-  const std::vector<Vec3> front = this->FrontPoints();
-  std::vector<double> factor(front.size(), 1);
-  std::vector<char> hit(front.size(), 0);
-  for (const auto& pair : FindIntersections(front, this->W.triangles, this->Watch))
+  front.Move(this->FrontPoints(), this->Watch);
+  const std::vector<Id> hits = front.Intersecting(this->Watch);
+  std::vector<std::pair<Id, double>> wishes;
+  for (Id v : hits)
   {
-    for (Id t : pair)
-    {
-      for (Id v : this->W.triangles[U(t)])
-      {
-        hit[U(v)] = 1;
-        factor[U(v)] = 0.7;
-      }
-    }
+    wishes.push_back({ v, 0.7 });
   }
   if (round < MostRounds / 3) // distance is a wish, freedom from intersections a must
   {
-    std::vector<double> gap(front.size());
-    const std::vector<double> edge = MeanEdgesAtPoints(front, this->W.triangles);
-    const double last = this->C.layers > 0 ? 1 - this->C.fraction[U(this->C.layers - 1)] : 0;
-    for (std::size_t v = 0; v < front.size(); ++v)
+    for (Id v : front.Touched())
     {
-      // At most half of what the wall itself has: there it is the next triangles of the same front that are
-      // near.
-      // Layers of tets are thin against their edges, and so may be what is left between them.
-      const double byEdge = this->Options.cells == ColumnCells::Tets ? 0 : GapOfEdge * edge[v];
-      const double wish = std::max(0.6 * last * this->C.height[v], byEdge);
-      gap[v] = std::min(wish, 0.5 * this->WallGap[v]);
+      front.SetGap(v, this->GapWish(v, front.EdgeAt(v)));
     }
-    const std::vector<double> clearance = PointClearances(front, this->W.triangles, gap, this->Watch);
-    for (std::size_t v = 0; v < front.size(); ++v)
+    for (const auto& [v, clearance] : front.TooNear(this->Watch))
     {
-      if (clearance[v] < 0.99 * gap[v])
+      const double share = clearance / front.GapAt(v);
+      if (share < 0.99)
       {
-        factor[v] = std::min(factor[v], std::max(0.7, 0.5 + 0.5 * clearance[v] / gap[v]) * 0.98);
+        wishes.push_back({ v, std::max(0.7, 0.5 + 0.5 * share) * 0.98 });
       }
     }
   }
+  std::sort(wishes.begin(), wishes.end()); // the smaller factor of a point first
   Id count = 0;
-  for (std::size_t v = 0; v < front.size(); ++v)
+  Id done = -1;
+  for (const auto& [v, factor] : wishes)
   {
-    if (factor[v] < 1 && this->C.height[v] > 0)
+    if (v == done || this->C.Stopped(v))
     {
-      ++count;
-      if (hit[v] && round > 2 * MostRounds / 3)
-      {
-        this->Stop(static_cast<Id>(v));
-      }
-      else
-      {
-        this->Shrink(static_cast<Id>(v), factor[v]);
-      }
+      continue;
+    }
+    done = v;
+    ++count;
+    if (round > 2 * MostRounds / 3 && std::binary_search(hits.begin(), hits.end(), v))
+    {
+      this->Stop(v);
+    }
+    else
+    {
+      this->Shrink(v, factor);
     }
   }
   return count;

@@ -4,6 +4,7 @@
 #include "ColumnGrowth.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace lamina
@@ -38,11 +39,14 @@ void ColumnGrowth::SetFractions()
 bool ColumnGrowth::Mend(Monitor& watch)
 {
   this->Dirty.assign(this->W.triangles.size(), 1);
+  this->Lowered.resize(this->W.points.size());
+  std::iota(this->Lowered.begin(), this->Lowered.end(), Id{ 0 });
+  FrontCheck front(this->W);
   for (int round = 0; round < MostRounds && !watch.Cancelled(); ++round)
   {
     this->LimitSlopes();
     watch.Progress(static_cast<double>(round) / MostRounds, "growing layers");
-    if (this->MendCells(round) == 0 && this->MendFronts(round) == 0)
+    if (this->MendCells(round) == 0 && this->MendFronts(front, round) == 0)
     {
       return true;
     }
@@ -74,10 +78,54 @@ void ColumnGrowth::Fair(Monitor& watch)
   }
 }
 
-/// Freezes the columns that stopped since and those near them; false if there are none.
+std::vector<Id> ColumnGrowth::PoorlyStanding() const
+{
+  std::vector<Id> nodes;
+  for (Id t = 0; t < static_cast<Id>(this->W.triangles.size()); ++t)
+  {
+    const Triangle& c = this->W.triangles[static_cast<std::size_t>(t)];
+    const auto isPoor = [&](Id v)
+    { return this->C.Stopped(v) || this->MustBeGood[static_cast<std::size_t>(v)] == 0; };
+    if (std::any_of(c.begin(), c.end(), isPoor) || this->WorstOf(t, 1) > this->Options.leastQuality)
+    {
+      continue;
+    }
+    nodes.push_back(*std::min_element(c.begin(), c.end(),
+                                      [&](Id a, Id b)
+                                      {
+                                        return this->Sight(a,
+                                                           this->C.direction[static_cast<std::size_t>(a)]) <
+                                               this->Sight(b, this->C.direction[static_cast<std::size_t>(b)]);
+                                      }));
+  }
+  return nodes;
+}
+
+bool ColumnGrowth::StopPoor(Monitor& watch)
+{
+  for (int attempt = 0; attempt < MostAttempts && !watch.Cancelled(); ++attempt)
+  {
+    const std::vector<Id> poor = this->PoorlyStanding();
+    if (poor.empty())
+    {
+      break;
+    }
+    for (Id v : poor)
+    {
+      this->C.hidden[static_cast<std::size_t>(v)] = 1;
+      this->C.height[static_cast<std::size_t>(v)] = 0;
+    }
+    if (!this->Mend(watch))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool ColumnGrowth::FreezeLost(const Columns& before)
 {
-  std::vector<Id> ring;
+  std::vector<Id> ring = this->PoorlyStanding();
   for (std::size_t v = 0; v < before.height.size(); ++v)
   {
     if (this->C.height[v] == 0 && before.height[v] > 0)
@@ -113,7 +161,11 @@ Result<Columns> ColumnGrowth::Run()
   this->SmoothDirections();
   this->SetHeights();
   SubMonitor mending(this->Watch, 0, 0.8);
-  const bool sound = this->Mend(mending);
+  bool sound = this->Mend(mending);
+  if (sound && this->Options.cells == ColumnCells::Prisms)
+  {
+    sound = this->StopPoor(mending);
+  }
   if (sound && this->Options.cells == ColumnCells::Prisms)
   {
     SubMonitor fairing(this->Watch, 0.8, 1);

@@ -24,6 +24,9 @@ struct ColumnOptions
   ColumnCells cells = ColumnCells::Prisms;
   double total = 0;       ///< height of all layers, a length, instead of the share; 0: by the share
   double firstHeight = 0; ///< of the first layer, a length, instead of both; 0: not fixed
+  /// Prisms are better (WedgeQuality), or their columns stop; but not where no direction sees
+  /// all faces well, or one of them is poor.
+  double leastQuality = 0.2;
 };
 
 /// Layer k (0 the wall, `layers` the front) of node v stands at wall.points[v] + height[v] * fraction[k] *

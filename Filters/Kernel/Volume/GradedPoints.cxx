@@ -14,11 +14,15 @@ namespace lamina
 namespace
 {
 
-/// A tet this many layers high on the layer has less than twice the volume of the prism under it.
-constexpr double LayersHigh = 5;
+/// A tet this many layers high on the layer has a third more volume than the prism under it.
+constexpr double LayersHigh = 4;
 /// Least and largest height of the first tets over the surface's edge, for their shape.
-constexpr double LeastHeight = 0.3;
+constexpr double LeastHeight = 0.25;
 constexpr double LargestHeight = 0.9;
+/// How far a point must be from other parts of the surface, over its height.
+constexpr double LeastClearance = 0.25;
+/// Between points, over the surface's edges.
+constexpr double Spacing = 0.35;
 
 std::size_t U(Id i)
 {
@@ -102,19 +106,21 @@ std::vector<Vec3> GradedPoints(const TriangleComplex& surface, Monitor& monitor)
                   {
                     continue;
                   }
-                  const double height = std::max(wanted, LeastHeight * edge[U(v)]);
-                  const Vec3 place = surface.points[U(v)] + height * inward[U(v)];
-                  // Not much nearer to other parts of the surface than to its own point, and not through to
-                  // the other side.
-                  const double limit = 0.5 * height;
-                  const bool isAlone = tree.ClosestPoint(place, limit * limit).triangle < 0;
+                  const double least = LeastHeight * edge[U(v)];
+                  double height = std::max(wanted, least);
                   const auto hit = tree.FirstHit(surface.points[U(v)], inward[U(v)], 1e-9, 2.5 * height,
                                                  [&](Id t)
                                                  {
                                                    const Triangle& c = surface.triangles[U(t)];
                                                    return c[0] != v && c[1] != v && c[2] != v;
                                                  });
-                  if (isAlone && hit.triangle < 0)
+                  // In a gap to another part of the surface in its middle, if that is not too flat.
+                  height = hit.triangle < 0 ? height : std::min(height, 0.5 * hit.t);
+                  const Vec3 place = surface.points[U(v)] + height * inward[U(v)];
+                  // Not too near to other parts of the surface.
+                  const double limit = LeastClearance * height;
+                  const bool isAlone = tree.ClosestPoint(place, limit * limit).triangle < 0;
+                  if (isAlone && height >= least)
                   {
                     places[U(v)] = place;
                     radius[U(v)] = edge[U(v)];
@@ -122,7 +128,7 @@ std::vector<Vec3> GradedPoints(const TriangleComplex& surface, Monitor& monitor)
                 }
               });
   std::vector<Vec3> points;
-  for (std::size_t v : ThinOut(places, radius, 0.5))
+  for (std::size_t v : ThinOut(places, radius, Spacing))
   {
     points.push_back(places[v]);
   }

@@ -34,6 +34,11 @@ std::optional<Error> CheckOptions(const PrismLayersOptions& options)
   {
     return InvalidOption("the first height and the total thickness must be lengths, or 0 for none");
   }
+  if (!(options.leastQuality >= 0 && options.leastQuality < 1))
+  {
+    return InvalidOption("the least quality of prisms must lie in [0, 1), not " +
+                         std::to_string(options.leastQuality));
+  }
   if (options.total > 0 && options.firstHeight > 0)
   {
     return InvalidOption(
@@ -137,10 +142,11 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
     const double share = 1.0 / static_cast<double>(materials->size());
     SubMonitor part(monitor, share * static_cast<double>(m), share * static_cast<double>(m + 1));
     const Wall wall = MakeWall(surface, (*materials)[m], options.neighbours);
-    const Result<Columns> columns = GrowColumns(wall,
-                                                { options.layers, options.growth, options.thickness,
-                                                  ColumnCells::Prisms, options.total, options.firstHeight },
-                                                part);
+    const Result<Columns> columns =
+      GrowColumns(wall,
+                  { options.layers, options.growth, options.thickness, ColumnCells::Prisms, options.total,
+                    options.firstHeight, options.leastQuality },
+                  part);
     if (!columns)
     {
       return columns.GetError();
@@ -161,6 +167,14 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
         }
       }
     }
+  }
+  if (!options.endColumns && report.stoppedColumns > 0)
+  {
+    return Unreachable(
+      "no layers can stand at " + std::to_string(report.stoppedColumns) + " points of walls" +
+        DescribePlaces(report.stoppedPlaces) +
+        ": refine the surface there, ask for fewer layers or a lower quality, or let columns end",
+      report.stoppedPlaces);
   }
   monitor.Progress(1, "prism layers grown");
   return report;

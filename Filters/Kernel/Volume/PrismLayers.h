@@ -13,12 +13,17 @@ namespace lamina
 
 struct PrismLayersOptions
 {
-  std::vector<int> materials;  ///< the fluids; empty: none
-  int layers = 5;              ///< prisms on every wall triangle, >= 1
-  double growth = 1.2;         ///< height of a layer over that of the one below it, in [1, 3]
-  double thickness = 0.25;     ///< of all layers together, as a share of the local feature size, in (0, 0.45]
-  double total = 0;            ///< of all layers together, a length, instead of the share; 0: by the share
-  double firstHeight = 0;      ///< of the first layer, a length, instead of both; 0: not fixed
+  std::vector<int> materials; ///< the fluids; empty: none
+  int layers = 5;             ///< prisms on every wall triangle, >= 1
+  double growth = 1.2;        ///< height of a layer over that of the one below it, in [1, 3]
+  double thickness = 0.25;    ///< of all layers together, as a share of the local feature size, in (0, 0.45]
+  double total = 0;           ///< of all layers together, a length, instead of the share; 0: by the share
+  double firstHeight = 0;     ///< of the first layer, a length, instead of both; 0: not fixed
+  /// Prisms are better, or the columns under them stop, where the wall's points are seen well and its
+  /// triangles are good.
+  double leastQuality = 0.2;
+  /// Columns may stop; if not, it is an error with the places.
+  bool endColumns = true;
   std::vector<int> neighbours; ///< materials (0 the outside) whose walls carry prisms; empty: all
 };
 
