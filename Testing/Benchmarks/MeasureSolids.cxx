@@ -3,7 +3,7 @@
 //
 // FILE: .labels or .surface, as WriteRefinementInputs.py makes them. SOLIDS: ids with commas. NAME: threads,
 // layers (6), anisotropy (2), growth (1), minimum, maximum, scale (of the targets), rays (20000), program
-// (the child; else TetGen runs inside), verbose (the places of the worst tets).
+// (the child; else TetGen runs inside), verbose (where bad tets are).
 #include "../Kernel/LayerRays.h"
 #include "Geometry/Quality.h"
 #include "SizedSurfaces.h"
@@ -45,6 +45,18 @@ std::array<Vec3, 4> Corners(const VolumeMesh& mesh, Id cell)
   return { { mesh.points[U(n[0])], mesh.points[U(n[1])], mesh.points[U(n[2])], mesh.points[U(n[3])] } };
 }
 
+void PrintTet(const VolumeMesh& mesh, Id cell, double quality, bool isListed)
+{
+  const Vec3 place = Corners(mesh, cell)[0];
+  std::printf("    %.4f at %.4f %.4f %.4f, material %d, LayerIndex", quality, place.x, place.y, place.z,
+              mesh.materials[U(cell)]);
+  for (int k = 0; k < 4; ++k)
+  {
+    std::printf(" %d", mesh.layerIndex[U(mesh.Cell(cell)[k])]);
+  }
+  std::printf("%s\n", isListed ? ", at a hidden node" : "");
+}
+
 /// Quality of all tets, and which of the poor ones touch a node that refinement listed as hidden.
 void PrintQuality(const VolumeMesh& mesh, const std::vector<Id>& hidden, bool verbose)
 {
@@ -75,12 +87,9 @@ void PrintQuality(const VolumeMesh& mesh, const std::vector<Id>& hidden, bool ve
     }
     skipping += high - low > 1 ? 1 : 0;
     listed += quality <= poor && touches ? 1 : 0;
-    if (verbose && quality <= poor)
+    if (verbose && (quality <= poor || high - low > 1))
     {
-      const Id* n = mesh.Cell(c);
-      std::printf("    %.4f at %.4f %.4f %.4f, material %d, layers %d %d %d %d%s\n", quality, p[0].x, p[0].y,
-                  p[0].z, mesh.materials[U(c)], mesh.layerIndex[U(n[0])], mesh.layerIndex[U(n[1])],
-                  mesh.layerIndex[U(n[2])], mesh.layerIndex[U(n[3])], touches ? ", hidden" : "");
+      PrintTet(mesh, c, quality, touches);
     }
   }
   std::printf("  least 3r/R %.4f; at most 0.1: %lld (%lld at hidden nodes), at most 0.2: %lld\n", least,

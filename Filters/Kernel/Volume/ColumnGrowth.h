@@ -55,6 +55,7 @@ private:
   // Cells and fronts (ColumnMending.cxx).
   bool IsSound(Id triangle) const;
   double AllowedOn(Id triangle) const;
+  void AddTall(Id triangle, std::vector<Id>& nodes) const;
   Id MendCells(int round);
   double GapWish(Id v, double edge) const;
   Id MendFronts(FrontCheck& front, int round);

@@ -14,6 +14,7 @@ namespace
 
 /// Of tets in columns: improvement lifts what is poor, but shrinking a column that is thin already does not.
 constexpr double leastTetQuality = 0.03;
+constexpr double shareOfDeepest = 0.9; ///< from which a column counts as deep as the deepest
 
 std::size_t U(Id i)
 {
@@ -84,6 +85,23 @@ bool ColumnGrowth::IsSound(Id t) const
   return true;
 }
 
+/// Adds the columns of an unsound triangle that are to shrink. Of tets' these are the ones that reach deepest
+/// below it: at a ridge the others, which stand aslant, would run ahead of them to nothing and help nobody.
+void ColumnGrowth::AddTall(Id t, std::vector<Id>& nodes) const
+{
+  const Triangle& c = this->W.triangles[U(t)];
+  const auto depth = [&](Id v)
+  { return this->C.height[U(v)] * Dot(this->C.direction[U(v)], this->Normals[U(t)]); };
+  const double deepest = std::max({ depth(c[0]), depth(c[1]), depth(c[2]) });
+  for (Id v : c)
+  {
+    if (this->Options.cells == ColumnCells::Prisms || depth(v) >= shareOfDeepest * deepest)
+    {
+      nodes.push_back(v);
+    }
+  }
+}
+
 /// Tests the dirty triangles and shrinks the columns of those that fail. Returns how many failed.
 Id ColumnGrowth::MendCells(int round)
 {
@@ -133,7 +151,7 @@ Id ColumnGrowth::MendCells(int round)
       }
       continue;
     }
-    nodes.insert(nodes.end(), c.begin(), c.end());
+    this->AddTall(work[i], nodes);
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

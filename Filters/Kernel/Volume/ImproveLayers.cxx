@@ -2,6 +2,9 @@
 #include "ImproveLayers.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <utility>
 
 namespace lamina
 {
@@ -40,6 +43,52 @@ TetSet Gather(const VolumeMesh& mesh, std::size_t firstCell, std::vector<Id>& gl
     set.tets.push_back(tet);
   }
   return set;
+}
+
+/// Ends of the tet's first edge, by ids, between layers that differ by more than one; false if it has none.
+bool FindWideEdge(const TetSet& set, const Tet& tet, std::pair<Id, Id>& edge)
+{
+  bool found = false;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      const int a = set.layerIndex[U(tet[i])];
+      const int b = set.layerIndex[U(tet[j])];
+      const std::pair<Id, Id> ends = std::minmax(tet[i], tet[j]);
+      if (a >= 0 && b >= 0 && std::abs(a - b) > 1 && (!found || ends < edge))
+      {
+        edge = ends;
+        found = true;
+      }
+    }
+  }
+  return found;
+}
+
+/// The core may join layers that differ by more than one, where columns lack some: such edges get a point of
+/// no layer in the middle. Tets take them in one order, so that their faces still fit.
+void SplitWideEdges(TetSet& set)
+{
+  std::map<std::pair<Id, Id>, Id> middles;
+  std::pair<Id, Id> edge;
+  for (std::size_t t = 0; t < set.tets.size(); ++t)
+  {
+    while (FindWideEdge(set, set.tets[t], edge))
+    {
+      const auto [entry, isNew] = middles.insert({ edge, static_cast<Id>(set.points.size()) });
+      if (isNew)
+      {
+        set.points.push_back(0.5 * (set.points[U(edge.first)] + set.points[U(edge.second)]));
+        set.fixed.push_back(0);
+        set.layerIndex.push_back(-1);
+      }
+      Tet other = set.tets[t];
+      std::replace(set.tets[t].begin(), set.tets[t].end(), edge.first, entry->second);
+      std::replace(other.begin(), other.end(), edge.second, entry->second);
+      set.tets.push_back(other);
+    }
+  }
 }
 
 /// Takes points that no tet has any more out of the mesh.
@@ -99,6 +148,7 @@ ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int col
 {
   std::vector<Id> global;
   TetSet set = Gather(mesh, firstCell, global);
+  SplitWideEdges(set);
   ImproveTetsReport report = ImproveTets(set, ImproveTetsOptions{}, monitor);
   for (std::size_t p = 0; p < set.points.size(); ++p)
   {
