@@ -174,7 +174,11 @@ TEST(PrismLayers, BothSidesOfAShell)
   EXPECT_EQ(layers.report.wedges, 3 * (512 + 2 * 512));
 }
 
-TEST(PrismLayers, OpeningsCarryNoLayers)
+namespace
+{
+
+/// A box along z with openings at its ends, patches 1 and 2.
+TriangleComplex Duct()
 {
   TriangleComplex surface;
   shapes::AddBox(surface, { 0, 0, 0 }, { 2, 2, 5 }, { { 6, 6, 15 } }, { 1, 0 });
@@ -186,20 +190,90 @@ TEST(PrismLayers, OpeningsCarryNoLayers)
     surface.patches.push_back(plane && z(0) == 0 ? 1 : (plane && z(0) == 5 ? 2 : 0));
   }
   Size(surface);
+  return surface;
+}
+
+} // namespace
+
+TEST(PrismLayers, LayersRunUpToOpenings)
+{
+  const TriangleComplex surface = Duct();
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  const Layers layers = Grow(surface, options);
+  ExpectSound(surface, layers, 1, { 1 });
+  const Id onWalls = static_cast<Id>(std::count(surface.patches.begin(), surface.patches.end(), 0));
+  EXPECT_EQ(layers.report.wedges, 5 * onWalls);
+  EXPECT_EQ(layers.report.pyramids + layers.report.tets + layers.report.stoppedColumns, 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    EXPECT_EQ(layers.onSurface.achieved[t], surface.patches[t] != 0 ? 0 : 5);
+  }
+  // Side faces and new triangles of the front cover each opening; nothing else lies in its plane.
+  for (const double z : { 0.0, 5.0 })
+  {
+    const auto isIn = [&](const Vec3& p) { return std::abs(p.z - z) < 1e-12; };
+    double front = 0;
+    for (const Triangle& t : layers.front.triangles)
+    {
+      const auto at = [&](std::size_t k) { return layers.front.points[static_cast<std::size_t>(t[k])]; };
+      front += isIn(at(0)) && isIn(at(1)) && isIn(at(2)) ? AreaVector2(layers.front.points, t).z / 2 : 0;
+    }
+    EXPECT_GT(z > 0 ? front : -front, 0.5); // it looks out
+    EXPECT_LT(std::abs(front), 3.5);
+    Id onRim = 0;
+    for (std::size_t p = 0; p < layers.mesh.points.size(); ++p)
+    {
+      onRim += isIn(layers.mesh.points[p]) ? 1 : 0;
+    }
+    EXPECT_EQ(onRim, 24 * 6); // points round the rim, in all layers
+  }
+}
+
+TEST(PrismLayers, LayersEndBeforeOpeningsThatBend)
+{
+  TriangleComplex surface = Duct();
+  for (Vec3& p : surface.points)
+  {
+    const bool isInner = p.z == 5 && std::max(std::abs(p.x - 1), std::abs(p.y - 1)) < 0.4;
+    p.z += isInner ? 0.05 : 0;
+  }
   PrismLayersOptions options;
   options.materials = { 1 };
   const Layers layers = Grow(surface, options);
   ExpectSound(surface, layers, 1, { 1 });
   EXPECT_GT(layers.report.pyramids, 0);
-  EXPECT_GT(layers.report.wedges, 0);
   EXPECT_EQ(layers.report.stoppedColumns, 0); // openings are not counted as trouble
+}
+
+TEST(PrismLayers, OnlyChosenPatchesCarryLayers)
+{
+  // The walls on one side of the duct are a patch of their own, which is no opening.
+  TriangleComplex surface = Duct();
+  surface.patchNames.push_back("plaque");
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    if (surface.patches[t] != 0)
-    {
-      EXPECT_EQ(layers.onSurface.achieved[t], 0);
-    }
+    const auto x = [&](std::size_t k)
+    { return surface.points[static_cast<std::size_t>(surface.triangles[t][k])].x; };
+    surface.patches[t] = x(0) == 0 && x(1) == 0 && x(2) == 0 ? 3 : surface.patches[t];
   }
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  for (const int patch : { 3, 0 })
+  {
+    options.patches = { patch };
+    const Layers layers = Grow(surface, options);
+    ExpectSound(surface, layers, 1, { 1 });
+    Id full = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      full += layers.onSurface.achieved[t] == 5 ? 1 : 0;
+      EXPECT_TRUE(surface.patches[t] == patch || layers.onSurface.achieved[t] == 0) << t;
+    }
+    EXPECT_GT(full, patch == 3 ? 100 : 300);
+  }
+  options.patches = { 1, 7 };
+  ExpectError(surface, options, Failure::InvalidOption, "one of the patches");
 }
 
 TEST(PrismLayers, OnlyChosenNeighboursCarryLayers)
