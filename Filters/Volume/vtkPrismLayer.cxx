@@ -62,22 +62,22 @@ int vtkPrismLayer::GetNeighbourMaterial(int index)
   return known ? this->NeighbourMaterials[static_cast<std::size_t>(index)] : -1;
 }
 
-void vtkPrismLayer::AddWallPatch(int patch)
+void vtkPrismLayer::AddWallPatchId(int patch)
 {
-  this->WallPatches.push_back(patch);
+  this->WallPatchIds.push_back(patch);
   this->Modified();
 }
 
-void vtkPrismLayer::ClearWallPatches()
+void vtkPrismLayer::ClearWallPatchIds()
 {
-  this->WallPatches.clear();
+  this->WallPatchIds.clear();
   this->Modified();
 }
 
-int vtkPrismLayer::GetWallPatch(int index)
+int vtkPrismLayer::GetWallPatchId(int index)
 {
-  const bool known = index >= 0 && index < this->GetNumberOfWallPatches();
-  return known ? this->WallPatches[static_cast<std::size_t>(index)] : -1;
+  const bool known = index >= 0 && index < this->GetNumberOfWallPatchIds();
+  return known ? this->WallPatchIds[static_cast<std::size_t>(index)] : -1;
 }
 
 int vtkPrismLayer::FillInputPortInformation(int, vtkInformation* info)
@@ -133,7 +133,7 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
                                               this->GrowthRatio,        this->Thickness,
                                               this->TotalThickness,     this->FirstHeight,
                                               this->LeastQuality,       this->EndColumns,
-                                              this->NeighbourMaterials, this->WallPatches };
+                                              this->NeighbourMaterials, this->WallPatchIds };
     lamina::VolumeMesh mesh;
     lamina::TriangleComplex front;
     lamina::LayersOnSurface layers;
@@ -165,5 +165,5 @@ void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastQuality: " << this->LeastQuality << "\n";
   os << indent << "EndColumns: " << this->EndColumns << "\n";
   os << indent << "NeighbourMaterials: " << lamina::Listed(this->NeighbourMaterials) << "\n";
-  os << indent << "WallPatches: " << lamina::Listed(this->WallPatches) << "\n";
+  os << indent << "WallPatchIds: " << lamina::Listed(this->WallPatchIds) << "\n";
 }

@@ -131,10 +131,10 @@ public:
    * The patches of the surface (PatchIds; 0 for walls of no other) on which prisms grow. On openings none do.
    * Default: none, which stands for all.
    */
-  void AddWallPatch(int patch);
-  void ClearWallPatches();
-  int GetNumberOfWallPatches() { return static_cast<int>(this->WallPatches.size()); }
-  int GetWallPatch(int index);
+  void AddWallPatchId(int patch);
+  void ClearWallPatchIds();
+  int GetNumberOfWallPatchIds() { return static_cast<int>(this->WallPatchIds.size()); }
+  int GetWallPatchId(int index);
   ///@}
 
 protected:
@@ -158,7 +158,7 @@ private:
   double LeastQuality = 0.2;
   bool EndColumns = true;
   std::vector<int> NeighbourMaterials;
-  std::vector<int> WallPatches;
+  std::vector<int> WallPatchIds;
 };
 
 #endif

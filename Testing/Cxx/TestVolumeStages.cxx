@@ -159,13 +159,13 @@ TEST(PrismLayer, ArraysOfTheContractAndRanges)
   filter->SetLeastQuality(0);
   ExpectFine(filter);
   const vtkIdType all = filter->GetOutput()->GetNumberOfCells();
-  filter->AddWallPatch(77);
+  filter->AddWallPatchId(77);
   ExpectError(filter, "one of the patches");
-  filter->AddWallPatch(0);
+  filter->AddWallPatchId(0);
   ExpectFine(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), all);
-  EXPECT_EQ(filter->GetWallPatch(1), 0);
-  filter->ClearWallPatches();
+  EXPECT_EQ(filter->GetWallPatchId(1), 0);
+  filter->ClearWallPatchIds();
 }
 
 TEST(MeshAudit, PassesTheWholeMeshAndFindsAPartMissing)
