@@ -424,3 +424,51 @@ TEST(PrismLayers, PoorColumnsEnd)
     ExpectError(surface, options, Failure::InvalidOption, "least quality");
   }
 }
+
+TEST(PrismLayers, TroubledFluids)
+{
+  PrismLayersOptions options;
+  options.materials = { 1 };
+  options.layers = 3;
+  // One that intersects itself.
+  TriangleComplex surface;
+  shapes::AddBox(surface, { 0, 0, 0 }, { 1, 1, 1 }, { { 4, 4, 4 } }, { 1, 0 });
+  shapes::AddBox(surface, { 0.55, 0.45, 0.35 }, { 1.5, 1.4, 1.3 }, { { 4, 4, 4 } }, { 1, 0 });
+  Size(surface);
+  ExpectError(surface, options, Failure::InvalidInput, "intersects itself");
+  // Two bodies that touch in a corner, which is one point: no direction sees all its faces.
+  surface = TriangleComplex{};
+  shapes::AddBox(surface, { 0, 0, 0 }, { 1, 1, 1 }, { { 4, 4, 4 } }, { 1, 0 });
+  const std::size_t first = surface.points.size();
+  shapes::AddBox(surface, { 1, 1, 1 }, { 2, 2, 2 }, { { 4, 4, 4 } }, { 1, 0 });
+  const auto last = surface.points.begin() + static_cast<std::ptrdiff_t>(first);
+  const Id corner = std::find(surface.points.begin(), last, Vec3{ 1, 1, 1 }) - surface.points.begin();
+  const Id twin = std::find(last, surface.points.end(), Vec3{ 1, 1, 1 }) - surface.points.begin();
+  ASSERT_LT(twin, static_cast<Id>(surface.points.size()));
+  const Id end = static_cast<Id>(surface.points.size()) - 1;
+  for (Triangle& t : surface.triangles)
+  {
+    for (Id& p : t) // the last point takes the twin's place
+    {
+      p = p == twin ? corner : (p == end ? twin : p);
+    }
+  }
+  surface.points[static_cast<std::size_t>(twin)] = surface.points.back();
+  surface.points.pop_back();
+  Size(surface);
+  const Layers touching = Grow(surface, options);
+  ExpectSound(surface, touching, 1, { 1 });
+  ASSERT_EQ(touching.report.stoppedColumns, 1);
+  EXPECT_EQ(touching.report.stoppedPlaces[0], (Vec3{ 1, 1, 1 }));
+  // A body smaller than a layer of the length that is asked for.
+  surface = SizedSphere(3);
+  shapes::AddSphere(surface, { 8, 5, 5 }, 0.02, 2, { 3, 0 });
+  Size(surface);
+  options.materials = { 3 };
+  options.total = 0.3;
+  const Layers unequal = Grow(surface, options);
+  ExpectSound(surface, unequal, 3, { 3 });
+  EXPECT_EQ(unequal.report.wedges, 3 * static_cast<Id>(surface.triangles.size()));
+  EXPECT_LT(unequal.onSurface.fraction.back(), 0.1);
+  EXPECT_GT(unequal.onSurface.fraction.front(), 0.9);
+}
