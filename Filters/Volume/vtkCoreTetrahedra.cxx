@@ -30,7 +30,8 @@ lamina::Report Describe(const lamina::CoreTetsReport& report)
     .Add("tets", report.tets)
     .Add("addedPoints", report.addedPoints)
     .Add("leastQuality", report.leastQuality)
-    .Add("aboveGate", report.aboveGate);
+    .Add("aboveGate", report.aboveGate)
+    .Add("rung", report.rung);
 }
 
 /// The triangles of `surface` that are in `ids`, with their points.
@@ -108,6 +109,13 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
       return report.GetError();
     }
     lamina::WriteGrid(mesh, tets);
+    if (report->rung > 1)
+    {
+      vtkWarningMacro("TetGen failed at what was asked for; it filled the surface with less: "
+                      << (report->rung == 2 ? "sizes are not graded from the last layer"
+                                            : (report->rung == 3 ? "sizes are not graded, the ratio is 2"
+                                                                 : "no refinement, tetrahedra may be poor")));
+    }
     lamina::AttachReport(tets, "CoreTetrahedra", Describe(*report));
     return lamina::Done{};
   };

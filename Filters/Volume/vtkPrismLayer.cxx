@@ -62,6 +62,24 @@ int vtkPrismLayer::GetNeighbourMaterial(int index)
   return known ? this->NeighbourMaterials[static_cast<std::size_t>(index)] : -1;
 }
 
+void vtkPrismLayer::AddWallPatchId(int patch)
+{
+  this->WallPatchIds.push_back(patch);
+  this->Modified();
+}
+
+void vtkPrismLayer::ClearWallPatchIds()
+{
+  this->WallPatchIds.clear();
+  this->Modified();
+}
+
+int vtkPrismLayer::GetWallPatchId(int index)
+{
+  const bool known = index >= 0 && index < this->GetNumberOfWallPatchIds();
+  return known ? this->WallPatchIds[static_cast<std::size_t>(index)] : -1;
+}
+
 int vtkPrismLayer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -111,11 +129,11 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
     {
       return sized;
     }
-    const lamina::PrismLayersOptions options{ this->FluidMaterials,    this->Layers,
-                                              this->GrowthRatio,       this->Thickness,
-                                              this->TotalThickness,    this->FirstHeight,
-                                              this->LeastQuality,      this->EndColumns,
-                                              this->NeighbourMaterials };
+    const lamina::PrismLayersOptions options{ this->FluidMaterials,     this->Layers,
+                                              this->GrowthRatio,        this->Thickness,
+                                              this->TotalThickness,     this->FirstHeight,
+                                              this->LeastQuality,       this->EndColumns,
+                                              this->NeighbourMaterials, this->WallPatchIds };
     lamina::VolumeMesh mesh;
     lamina::TriangleComplex front;
     lamina::LayersOnSurface layers;
@@ -147,4 +165,5 @@ void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastQuality: " << this->LeastQuality << "\n";
   os << indent << "EndColumns: " << this->EndColumns << "\n";
   os << indent << "NeighbourMaterials: " << lamina::Listed(this->NeighbourMaterials) << "\n";
+  os << indent << "WallPatchIds: " << lamina::Listed(this->WallPatchIds) << "\n";
 }

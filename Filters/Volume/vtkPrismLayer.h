@@ -126,6 +126,17 @@ public:
   int GetNeighbourMaterial(int index);
   ///@}
 
+  ///@{
+  /**
+   * The patches of the surface (PatchIds; 0 for walls of no other) on which prisms grow. On openings none do.
+   * Default: none, which stands for all.
+   */
+  void AddWallPatchId(int patch);
+  void ClearWallPatchIds();
+  int GetNumberOfWallPatchIds() { return static_cast<int>(this->WallPatchIds.size()); }
+  int GetWallPatchId(int index);
+  ///@}
+
 protected:
   vtkPrismLayer();
   ~vtkPrismLayer() override = default;
@@ -147,6 +158,7 @@ private:
   double LeastQuality = 0.2;
   bool EndColumns = true;
   std::vector<int> NeighbourMaterials;
+  std::vector<int> WallPatchIds;
 };
 
 #endif

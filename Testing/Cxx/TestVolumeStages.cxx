@@ -158,6 +158,14 @@ TEST(PrismLayer, ArraysOfTheContractAndRanges)
   ExpectError(filter, "no layers can stand at");
   filter->SetLeastQuality(0);
   ExpectFine(filter);
+  const vtkIdType all = filter->GetOutput()->GetNumberOfCells();
+  filter->AddWallPatchId(77);
+  ExpectError(filter, "one of the patches");
+  filter->AddWallPatchId(0);
+  ExpectFine(filter);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), all);
+  EXPECT_EQ(filter->GetWallPatchId(1), 0);
+  filter->ClearWallPatchIds();
 }
 
 TEST(MeshAudit, PassesTheWholeMeshAndFindsAPartMissing)

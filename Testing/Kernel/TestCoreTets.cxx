@@ -262,6 +262,41 @@ TEST(ChildProcess, KilledChildIsNamed)
   EXPECT_NE(result.GetError().message.find("memory"), std::string::npos) << result.GetError().message;
 }
 
+TEST(CoreTets, AsksForLessWhereTetGenFails)
+{
+  // A program that fails for some times, then does its work.
+  const auto file = std::filesystem::temp_directory_path() / ("lamina-count-" + std::to_string(getpid()));
+  TriangleComplex surface;
+  shapes::AddSphere(surface, { 0, 0, 0 }, 1, 3, { 1, 0 });
+  surface.layerHeight.assign(surface.points.size(), 0.01);
+  std::vector<Id> added;
+  for (int failures = 0; failures < 5; ++failures)
+  {
+    std::ofstream(file) << failures;
+    const Script script("n=$(cat " + file.string() + "); echo $((n - 1)) > " + file.string() +
+                        "; [ $n -gt 0 ] && kill -9 $$; exec " + LAMINA_TETGEN_PROGRAM);
+    ThreadMonitor monitor;
+    CoreTetsOptions options;
+    options.program = script.Program();
+    VolumeMesh mesh;
+    const auto result = MeshCoreTets(surface, {}, options, mesh, monitor);
+    ASSERT_EQ(static_cast<bool>(result), failures < 4) << failures;
+    if (!result)
+    {
+      EXPECT_NE(result.GetError().message.find("signal 9"), std::string::npos) << result.GetError().message;
+      continue;
+    }
+    EXPECT_EQ(result->rung, failures + 1);
+    ExpectFills(surface, mesh, { 1 });
+    added.push_back(result->addedPoints);
+  }
+  std::filesystem::remove(file);
+  ASSERT_EQ(added.size(), 4u);
+  EXPECT_LT(added[1], added[0] / 2) << "no graded points";
+  EXPECT_LE(added[2], added[1]) << "a weaker ratio";
+  EXPECT_NE(added[3], added[2]) << "no refinement";
+}
+
 TEST(ChildProcess, ChildThatNeverEndsIsCancelled)
 {
   // One that reads nothing and answers nothing, and one that has closed its ends but goes on.

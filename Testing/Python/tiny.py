@@ -55,6 +55,8 @@ def pipeline(image=None, is_open=False):
     stages["refined"] = simple.SurfaceRefinement(Input=stages["sized"])
     stages["solid"] = simple.LayeredTetrahedra(Input=stages["refined"], Layers=2)
     stages["prisms"] = simple.PrismLayer(Input=stages["refined"], Layers=3)
+    if is_open:
+        stages["prisms"].LeastQuality = 0.65  # more than this coarse wall allows: some columns end in pyramids
     stages["core"] = simple.CoreTetrahedra(Input=servermanager.OutputPort(stages["prisms"], 1))
     stages["mesh"] = simple.FluidSolidMesh(Input=[stages["solid"], stages["prisms"], stages["core"]], Surface=stages["refined"])
     stages["audit"] = simple.MeshAudit(Input=stages["mesh"], Surface=stages["refined"])

@@ -49,6 +49,17 @@ double ColumnGrowth::GroundAt(Id triangle, Id v) const
   return std::min(TriangleQuality(p, q, r), 2 / std::sqrt(3.0) * sine);
 }
 
+Vec3 ColumnGrowth::Allowed(Id v, const Vec3& vector) const
+{
+  const int cap = this->W.capOf[U(v)];
+  if (cap < 0)
+  {
+    return vector;
+  }
+  const Vec3& normal = this->W.caps[U(cap)].normal;
+  return vector - Dot(vector, normal) * normal;
+}
+
 double ColumnGrowth::Sight(Id v, const Vec3& direction) const
 {
   double least = 1;
@@ -73,15 +84,17 @@ void ColumnGrowth::FindDirection(Id v)
     const Triangle& c = this->W.triangles[U(t)];
     leastTriangle = std::min(leastTriangle, TriangleQuality(this->W.points[U(c[0])], this->W.points[U(c[1])],
                                                             this->W.points[U(c[2])]));
-    normals.push_back(this->Normals[U(t)]);
-    weighted.push_back(this->GroundAt(t, v) * this->Normals[U(t)]);
+    normals.push_back(this->Allowed(v, this->Normals[U(t)]));
+    weighted.push_back(this->GroundAt(t, v) * normals.back());
     for (Id p : this->W.triangles[U(t)])
     {
       sum += p == v ? 0 : Norm(this->W.points[U(p)] - this->W.points[U(v)]);
       edges += p == v ? 0 : 1;
     }
   }
-  const VisibleDirection seen = FindVisibleDirection(normals);
+  // In a plane normals count by what of them lies in it.
+  const bool isOnRim = this->W.capOf[U(v)] >= 0;
+  const VisibleDirection seen = isOnRim ? FindWeightedDirection(normals) : FindVisibleDirection(normals);
   this->MustBeGood[U(v)] = seen.leastCosine >= goodVisibility && leastTriangle >= goodTriangle ? 1 : 0;
   this->C.hidden[U(v)] = seen.leastCosine < leastVisibility ? 1 : 0;
   this->C.direction[U(v)] = seen.direction;
@@ -148,7 +161,7 @@ void ColumnGrowth::SmoothDirections()
                             sum += p == v || this->C.hidden[U(p)] ? Vec3{} : before[U(p)];
                           }
                         }
-                        const Vec3 mean = Normalized(Normalized(sum) + before[U(v)]);
+                        const Vec3 mean = Normalized(this->Allowed(v, Normalized(sum) + before[U(v)]));
                         const double sight = this->Sight(v, mean);
                         if (sight >= std::max(0.85 * best[U(v)], std::min(best[U(v)], enoughSight)))
                         {

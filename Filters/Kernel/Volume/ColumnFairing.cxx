@@ -86,8 +86,8 @@ bool ColumnGrowth::ImproveColumn(Id v, double target)
       const std::array<Vec3, 2> frame = FrameOf(up);
       for (const Vec3& way : { frame[0], -1.0 * frame[0], frame[1], -1.0 * frame[1], -1.0 * up })
       {
-        const Vec3 moved = offset + step * way;
-        if (Norm(moved) > highest || this->Sight(v, Normalized(moved)) <= 0)
+        const Vec3 moved = this->Allowed(v, offset + step * way);
+        if (Norm(moved) > highest || Norm(moved) == 0 || this->Sight(v, Normalized(moved)) <= 0)
         {
           continue;
         }

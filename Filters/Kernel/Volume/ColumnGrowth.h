@@ -38,6 +38,8 @@ private:
   void FindDirection(Id v);
   double GroundAt(Id triangle, Id v) const;
   void SmoothDirections();
+  /// The part of a vector that the column at v may have: in the plane of a cap on its rim.
+  Vec3 Allowed(Id v, const Vec3& vector) const;
   /// The least quality that prisms at v can reach along this direction, however low.
   double Sight(Id v, const Vec3& direction) const;
 
@@ -45,6 +47,7 @@ private:
   void SetHeights();
   void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
+  double RoomBeforeCaps(Id v) const;
   bool IsFollowedWell(Id triangle) const;
   void LowerLargePrisms();
   /// Limit the slope of heights round the columns in Lowered.

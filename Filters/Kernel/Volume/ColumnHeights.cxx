@@ -43,6 +43,26 @@ double ColumnGrowth::TallestColumn(Id v) const
   return tallestPrism * this->WallEdge(v) / last;
 }
 
+/// How far the column may run before it leaves through the plane of a cap near it.
+double ColumnGrowth::RoomBeforeCaps(Id v) const
+{
+  double room = std::numeric_limits<double>::infinity();
+  const Vec3& m = this->C.direction[U(v)];
+  for (std::size_t c = 0; c < this->W.caps.size(); ++c)
+  {
+    const WallCap& cap = this->W.caps[c];
+    const double towards = Dot(m, cap.normal);
+    if (this->W.capOf[U(v)] == static_cast<int>(c) || !(towards > 0))
+    {
+      continue;
+    }
+    const double way = Dot(cap.origin - this->W.points[U(v)], cap.normal) / towards;
+    const Vec3 place = this->W.points[U(v)] + way * m;
+    room = way > 0 && Norm(place - cap.origin) <= cap.extent ? std::min(room, way) : room;
+  }
+  return room;
+}
+
 /// Whether the last prism is not much larger than a regular tet on the front's triangle: the core on it could
 /// only be of much smaller cells.
 bool ColumnGrowth::IsFollowedWell(Id t) const
@@ -143,7 +163,7 @@ void ColumnGrowth::SetHeights()
                           const Triangle& c = this->W.triangles[U(t)];
                           return c[0] != v && c[1] != v && c[2] != v && Dot(this->Normals[U(t)], m) < 0;
                         });
-                      thickness = std::min(thickness, hit.t);
+                      thickness = std::min({ thickness, hit.t, this->RoomBeforeCaps(v) });
                       this->SetHeight(v, std::isfinite(thickness) ? thickness : 0);
                     }
                   });

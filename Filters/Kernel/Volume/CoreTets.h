@@ -27,6 +27,8 @@ struct CoreTetsReport
 {
   Id tets = 0;
   Id addedPoints = 0;
+  int rung = 1; ///< 1: as asked; or, where TetGen failed, 2: without points that grade sizes, 3: besides with
+                ///< a radius-edge ratio of 2, 4: besides without refinement
   double leastQuality = 0;            ///< least 3r/R
   double aboveGate = 1;               ///< share of tets with 3r/R > 0.1
   std::vector<Id> offendingTriangles; ///< of `surface`, when TetGen refuses it

@@ -127,6 +127,14 @@ void LayerMesh::Mark(const Wall& wall, const Columns& columns, LayersOnSurface& 
     onSurface.achieved[s] = onSurface.achieved[s] < 0 ? layers : std::min(onSurface.achieved[s], layers);
     onSurface.fraction[s] = onSurface.fraction[s] < 0 ? share : std::min(onSurface.fraction[s], share);
   }
+  for (const WallCap& cap : wall.caps)
+  {
+    for (Id t : cap.surfaceTriangles)
+    {
+      onSurface.achieved[U(t)] = 0;
+      onSurface.fraction[U(t)] = 0;
+    }
+  }
 }
 
 void LayerMesh::MarkLost(const Wall& wall, const Columns& columns, const std::vector<Id>& points,

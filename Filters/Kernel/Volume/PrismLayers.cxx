@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PrismLayers.h"
 
+#include "FrontCaps.h"
 #include "LayerMesh.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ std::optional<Error> CheckWalls(const TriangleComplex& surface, const std::vecto
 {
   std::set<int> present;
   double thickest = 0;
+  bool carries = false;
   for (int material : materials)
   {
     for (const MaterialPair& pair : surface.materials)
@@ -63,7 +65,8 @@ std::optional<Error> CheckWalls(const TriangleComplex& surface, const std::vecto
         present.insert(pair.first == material ? pair.second : pair.first);
       }
     }
-    const Wall wall = MakeWall(surface, material);
+    const Wall wall = MakeWall(surface, material, { options.neighbours, options.patches, false });
+    carries = carries || std::count(wall.fixed.begin(), wall.fixed.end(), 0) > 0;
     for (double t : wall.thickness)
     {
       thickest = std::isfinite(t) ? std::max(thickest, t) : thickest;
@@ -81,6 +84,10 @@ std::optional<Error> CheckWalls(const TriangleComplex& surface, const std::vecto
       return InvalidOption("no fluid borders material " + std::to_string(neighbour) +
                            ", on which prisms should grow, but " + known);
     }
+  }
+  if (!carries && !options.patches.empty())
+  {
+    return InvalidOption("no wall of a fluid has one of the patches on which prisms should grow");
   }
   const double asked = std::max(options.total, options.firstHeight);
   if (asked > thickest)
@@ -101,6 +108,46 @@ void Append(const TriangleComplex& part, TriangleComplex& whole)
   }
   whole.layerHeight.insert(whole.layerHeight.end(), part.layerHeight.begin(), part.layerHeight.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
+}
+
+struct GrownWall
+{
+  Wall wall;
+  Columns columns;
+  TriangleComplex front;
+};
+
+/// Columns on the wall of a material, in the planes of its openings where that can be, else up to them.
+Result<GrownWall> GrowOnWall(const TriangleComplex& surface, int material, const PrismLayersOptions& options,
+                             Monitor& monitor)
+{
+  const ColumnOptions asked{ options.layers, options.growth,      options.thickness,   ColumnCells::Prisms,
+                             options.total,  options.firstHeight, options.leastQuality };
+  GrownWall grown;
+  for (const bool hasCaps : { true, false })
+  {
+    grown.wall = MakeWall(surface, material, { options.neighbours, options.patches, hasCaps });
+    Result<Columns> columns = GrowColumns(grown.wall, asked, monitor);
+    if (!columns && (grown.wall.caps.empty() || columns.GetError().kind == Failure::Cancelled))
+    {
+      return columns.GetError();
+    }
+    if (columns)
+    {
+      grown.columns = std::move(*columns);
+      grown.front = FrontOf(grown.wall, grown.columns);
+    }
+    const bool isClosed = columns && CloseFront(grown.wall, grown.front, monitor);
+    if (monitor.Cancelled())
+    {
+      return Cancelled();
+    }
+    if (isClosed)
+    {
+      break;
+    }
+  }
+  return grown;
 }
 
 } // namespace
@@ -141,29 +188,25 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
   {
     const double share = 1.0 / static_cast<double>(materials->size());
     SubMonitor part(monitor, share * static_cast<double>(m), share * static_cast<double>(m + 1));
-    const Wall wall = MakeWall(surface, (*materials)[m], options.neighbours);
-    const Result<Columns> columns =
-      GrowColumns(wall,
-                  { options.layers, options.growth, options.thickness, ColumnCells::Prisms, options.total,
-                    options.firstHeight, options.leastQuality },
-                  part);
-    if (!columns)
+    const auto grown = GrowOnWall(surface, (*materials)[m], options, part);
+    if (!grown)
     {
-      return columns.GetError();
+      return grown.GetError();
     }
-    layers.Add(wall, *columns, ColumnCells::Prisms, report);
-    LayerMesh::Mark(wall, *columns, onSurface, report);
-    Append(FrontOf(wall, *columns), front);
+    const auto& [wall, columns, ownFront] = *grown;
+    layers.Add(wall, columns, ColumnCells::Prisms, report);
+    LayerMesh::Mark(wall, columns, onSurface, report);
+    Append(ownFront, front);
     std::array<ColumnCell, 3> cells;
     for (Id t = 0; t < static_cast<Id>(wall.triangles.size()); ++t)
     {
       for (int k = 1; k <= options.layers; ++k)
       {
-        const int n = CellsOfTriangle(wall, *columns, t, k, ColumnCells::Prisms, cells);
+        const int n = CellsOfTriangle(wall, columns, t, k, ColumnCells::Prisms, cells);
         for (int i = 0; i < n; ++i)
         {
           report.leastQuality =
-            std::min(report.leastQuality, QualityOf(wall, *columns, cells[static_cast<std::size_t>(i)]));
+            std::min(report.leastQuality, QualityOf(wall, columns, cells[static_cast<std::size_t>(i)]));
         }
       }
     }

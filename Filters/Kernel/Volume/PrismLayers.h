@@ -25,6 +25,7 @@ struct PrismLayersOptions
   /// Columns may stop; if not, it is an error with the places.
   bool endColumns = true;
   std::vector<int> neighbours; ///< materials (0 the outside) whose walls carry prisms; empty: all
+  std::vector<int> patches;    ///< patches of the surface that do (0: walls of no other); empty: all
 };
 
 /// A length that is asked for is kept where it is at most 0.45 of the local thickness, else cut to that.
