@@ -73,11 +73,24 @@ std::vector<double> MeasureAll(const TriangleComplex& surface, const Lists& star
   return thickness;
 }
 
-/// The edge length that gives a circle of the surface's curvature its nodes.
-double EdgeForCurvature(const TriangleComplex& surface, std::size_t p, int nodes)
+/// The two materials of every point, {0, 0} where more than one sheet meets.
+std::vector<MaterialPair> PairsOfPoints(const TriangleComplex& surface)
 {
-  const double curvature =
-    std::max(std::abs(surface.maximumCurvature[p]), std::abs(surface.minimumCurvature[p]));
+  std::vector<MaterialPair> pairs(surface.points.size(), { -1, -1 });
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (Id p : surface.triangles[t])
+    {
+      MaterialPair& pair = pairs[static_cast<std::size_t>(p)];
+      pair = pair.first < 0 || pair == surface.materials[t] ? surface.materials[t] : MaterialPair{ 0, 0 };
+    }
+  }
+  return pairs;
+}
+
+/// The edge length that gives a circle of a curvature its nodes.
+double EdgeForCurvature(double curvature, int nodes)
+{
   return nodes > 0 && curvature > 0 ? 2 * Pi / (nodes * curvature) : Infinity;
 }
 
@@ -89,6 +102,7 @@ public:
            const std::vector<SizeLimits>& limits, FeatureSizeReport& report)
     : Surface(surface)
     , Options(options)
+    , Pairs(PairsOfPoints(surface))
     , Limits(limits)
     , Report(report)
   {
@@ -98,7 +112,8 @@ public:
   void Add(const std::vector<double>& thickness, std::size_t p)
   {
     const std::size_t columns = this->Limits.size();
-    const double curved = EdgeForCurvature(this->Surface, p, this->Options.nodesPerCircumference);
+    const double curvature =
+      std::max(std::abs(this->Surface.maximumCurvature[p]), std::abs(this->Surface.minimumCurvature[p]));
     double least = Infinity;
     double size = Infinity;
     double edge = Infinity;
@@ -113,6 +128,8 @@ public:
         continue;
       }
       const SizeLimits& l = this->Limits[m];
+      const double curved = EdgeForCurvature(std::max(curvature, this->RoundCurvature(p, l.material, wall)),
+                                             this->Options.nodesPerCircumference);
       const double plain = std::clamp(wall, l.minimum, l.maximum);
       const double own = std::clamp(std::min(wall, curved / l.Ratio()), l.minimum, l.maximum);
       const double longest = this->Options.edgePerLayer * wall / l.layers;
@@ -141,8 +158,21 @@ public:
   std::vector<double> Edges;
 
 private:
+  /// The curvature of a tube as thick as the material if the surface bends around it nearly like one, else 0.
+  /// Of a tube some voxels wide a fit sees too large a part to tell the whole of its curvature.
+  double RoundCurvature(std::size_t p, int material, double wall) const
+  {
+    constexpr double nearly = 2.0 / 3;
+    const MaterialPair& pair = this->Pairs[p];
+    const double bend = pair.first == material
+                          ? this->Surface.maximumCurvature[p]
+                          : (pair.second == material ? -this->Surface.minimumCurvature[p] : 0);
+    return bend * wall >= 2 * nearly ? 2 / wall : 0;
+  }
+
   const TriangleComplex& Surface;
   const FeatureSizeOptions& Options;
+  std::vector<MaterialPair> Pairs;
   const std::vector<SizeLimits>& Limits;
   FeatureSizeReport& Report;
 };

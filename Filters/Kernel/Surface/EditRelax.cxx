@@ -81,7 +81,7 @@ bool EditableSurface::Relax(Id p)
   }
   else
   {
-    Vec3 gradient;
+    const Vec3 gradient = this->VolumeGradient(p);
     double weights = 0;
     for (Id t : this->Star(p))
     {
@@ -89,7 +89,6 @@ bool EditableSurface::Relax(Id p)
       const Vec3 area = AreaVector2(this->Points, c);
       const double h = this->Target(c[0]) + this->Target(c[1]) + this->Target(c[2]);
       const double weight = Norm(area) / (h * h);
-      gradient += area;
       move += weight * ((1.0 / 3) * (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) - x);
       weights += weight;
     }
@@ -135,17 +134,31 @@ double EditableSurface::WorstQuality(Id p) const
   return worst;
 }
 
-/// Move p by a length, to a corner, an edge or a side of a cube around it.
-bool EditableSurface::TryAround(Id p, double length, double leastQuality)
+/// What moves of p must be square to so that no volume changes.
+Vec3 EditableSurface::VolumeGradient(Id p) const
+{
+  Vec3 gradient;
+  for (Id t : this->Star(p))
+  {
+    gradient += AreaVector2(this->Points, this->Corners(t));
+  }
+  return gradient;
+}
+
+/// Move p by up to a length, towards a corner, an edge or a side of a cube around it; `along`: without change
+/// of volume.
+bool EditableSurface::TryAround(Id p, double length, double leastQuality, bool along)
 {
   if (this->IsOnPatch(p))
   {
     return false; // points of a border plane or an opening must stay in it
   }
+  const Vec3 normal = along ? Normalized(this->VolumeGradient(p)) : Vec3{};
   for (int i = 0; i < 27; ++i)
   {
-    const Vec3 way{ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 };
-    if (Norm2(way) > 0 && this->TryMove(p, this->Point(p) + length * Normalized(way), leastQuality))
+    Vec3 way = Normalized({ i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0 });
+    way -= Dot(way, normal) * normal;
+    if (Norm2(way) > 0.1 && this->TryMove(p, this->Point(p) + length * way, leastQuality))
     {
       return true;
     }
@@ -155,9 +168,13 @@ bool EditableSurface::TryAround(Id p, double length, double leastQuality)
 
 bool EditableSurface::Reshape(Id p)
 {
+  if (this->Classes[U(p)] != OnSheet)
+  {
+    return false;
+  }
   const double least = betterShape * this->WorstQuality(p);
   return std::any_of(std::begin(searchSteps), std::end(searchSteps),
-                     [&](double step) { return this->TryAround(p, step * this->Target(p), least); });
+                     [&](double step) { return this->TryAround(p, step * this->Target(p), least, true); });
 }
 
 } // namespace lamina

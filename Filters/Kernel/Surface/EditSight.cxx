@@ -276,7 +276,7 @@ bool EditableSurface::UncoverBySearch(Id p)
   {
     for (Id q : points)
     {
-      if (this->TryAround(q, step * this->Target(q), std::min(0.35, this->WorstQuality(q))))
+      if (this->TryAround(q, step * this->Target(q), std::min(0.35, this->WorstQuality(q)), false))
       {
         return true;
       }

@@ -62,7 +62,8 @@ public:
   bool Swap(Id a, Id b);
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
-  /// Move the point anywhere near that betters the worst of its triangles.
+  /// Move a point of a sheet anywhere near, without a change of volume, that betters the worst of its
+  /// triangles.
   bool Reshape(Id p);
 
   /// Where no direction sees all faces of p well (cosine below 0.5), one edit that betters this: a move,
@@ -118,7 +119,8 @@ private:
   Edit& RemovalOf(const EdgeTriangles& triangles);
   void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
-  bool TryAround(Id p, double length, double leastQuality);
+  bool TryAround(Id p, double length, double leastQuality, bool along);
+  Vec3 VolumeGradient(Id p) const;
   double WorstQuality(Id p) const;
   bool HasChanged(Id p) const;
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
