@@ -80,25 +80,26 @@ void ColumnGrowth::Fair(Monitor& watch)
 
 std::vector<Id> ColumnGrowth::PoorlyStanding() const
 {
-  std::vector<Id> nodes;
-  for (Id t = 0; t < static_cast<Id>(this->W.triangles.size()); ++t)
-  {
-    const Triangle& c = this->W.triangles[static_cast<std::size_t>(t)];
-    const auto isPoor = [&](Id v)
-    { return this->C.Stopped(v) || this->MustBeGood[static_cast<std::size_t>(v)] == 0; };
-    if (std::any_of(c.begin(), c.end(), isPoor) || this->WorstOf(t, 1) > this->Options.leastQuality)
+  const auto isExcused = [&](Id v)
+  { return this->C.Stopped(v) || this->MustBeGood[static_cast<std::size_t>(v)] == 0; };
+  const auto sight = [&](Id v) { return this->Sight(v, this->C.direction[static_cast<std::size_t>(v)]); };
+  std::vector<Id> worst(this->W.triangles.size(), -1);
+  this->Watch.For(
+    static_cast<Id>(worst.size()), 256,
+    [&](Id begin, Id end)
     {
-      continue;
-    }
-    nodes.push_back(*std::min_element(c.begin(), c.end(),
-                                      [&](Id a, Id b)
-                                      {
-                                        return this->Sight(a,
-                                                           this->C.direction[static_cast<std::size_t>(a)]) <
-                                               this->Sight(b, this->C.direction[static_cast<std::size_t>(b)]);
-                                      }));
-  }
-  return nodes;
+      for (Id t = begin; t < end; ++t)
+      {
+        const Triangle& c = this->W.triangles[static_cast<std::size_t>(t)];
+        if (std::none_of(c.begin(), c.end(), isExcused) && this->WorstOf(t, 1) <= this->Options.leastQuality)
+        {
+          worst[static_cast<std::size_t>(t)] =
+            *std::min_element(c.begin(), c.end(), [&](Id v, Id w) { return sight(v) < sight(w); });
+        }
+      }
+    });
+  worst.erase(std::remove(worst.begin(), worst.end(), -1), worst.end());
+  return worst;
 }
 
 bool ColumnGrowth::StopPoor(Monitor& watch)
