@@ -4,7 +4,9 @@
 // FILE: .labels or .surface, as WriteRefinementInputs.py makes them, or .sized, which save=FILE.sized writes
 // just before refinement. NAME: threads, iterations, tolerance, layers, minimum, maximum, uniform (one target
 // for all, a length), verbose.
+#include "Arguments.h"
 #include "Mesh/Adjacency.h"
+#include "RefinementFiles.h"
 #include "RefinementMeasures.h"
 #include "Sizing/FeatureSize.h"
 #include "Surface/ExtractInterfaces.h"
@@ -21,14 +23,6 @@ using namespace lamina;
 
 namespace
 {
-
-template<typename T>
-std::vector<T> Take(std::ifstream& file, std::size_t count)
-{
-  std::vector<T> values(count);
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  return values;
-}
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
@@ -57,23 +51,6 @@ TriangleComplex FromLabels(std::ifstream& file, double& voxel, Monitor& monitor)
   TriangleComplex surface;
   Demand(ExtractInterfaces(image, surface, {}, monitor), "extract");
   Demand(SmoothSurface(surface, {}, monitor), "smooth");
-  return surface;
-}
-
-TriangleComplex FromTriangles(std::ifstream& file)
-{
-  TriangleComplex surface;
-  const auto counts = Take<Id>(file, 2);
-  surface.points = Take<Vec3>(file, static_cast<std::size_t>(counts[0]));
-  surface.triangles = Take<Triangle>(file, static_cast<std::size_t>(counts[1]));
-  surface.materials.assign(surface.triangles.size(), { 1, 0 });
-  if (MaterialVolumes(surface, { 1 })[0] < 0)
-  {
-    for (Triangle& t : surface.triangles)
-    {
-      std::swap(t[1], t[2]);
-    }
-  }
   return surface;
 }
 
@@ -123,34 +100,6 @@ TriangleComplex Load(std::ifstream& file, double& voxel)
              });
   return surface;
 }
-
-class Arguments
-{
-public:
-  Arguments(int argc, char** argv)
-    : Words(argv + 2, argv + argc)
-  {
-  }
-  double Get(const std::string& name, double otherwise) const
-  {
-    const std::string text = this->Text(name);
-    return text.empty() ? otherwise : std::atof(text.c_str());
-  }
-  std::string Text(const std::string& name) const
-  {
-    for (const std::string& word : this->Words)
-    {
-      if (word.rfind(name + "=", 0) == 0)
-      {
-        return word.substr(name.size() + 1);
-      }
-    }
-    return {};
-  }
-
-private:
-  std::vector<std::string> Words;
-};
 
 } // namespace
 
