@@ -20,7 +20,7 @@ int main(int argc, char** argv)
     std::printf("MeasureRefinement FILE [NAME=VALUE]...\n");
     return 1;
   }
-  const measures::Arguments arguments(argc, argv);
+  const Arguments arguments(argc, argv);
   const std::string path = argv[1];
   ThreadMonitor monitor(static_cast<int>(arguments.Get("threads", 2)));
   double voxel = 0;

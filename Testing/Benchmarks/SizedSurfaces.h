@@ -2,7 +2,8 @@
 // Surfaces for the programs that measure stages: read from files, and sized.
 #pragma once
 
-#include "Mesh/VolumeCorrection.h"
+#include "Arguments.h"
+#include "RefinementFiles.h"
 #include "Sizing/FeatureSize.h"
 #include "Surface/ExtractInterfaces.h"
 #include "Surface/SmoothSurface.h"
@@ -10,18 +11,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 namespace lamina::measures
 {
-
-template<typename T>
-std::vector<T> Take(std::ifstream& file, std::size_t count)
-{
-  std::vector<T> values(count);
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  return values;
-}
 
 inline bool EndsWith(const std::string& text, const std::string& end)
 {
@@ -50,23 +42,6 @@ inline TriangleComplex FromLabels(std::ifstream& file, double& voxel, Monitor& m
   TriangleComplex surface;
   Demand(ExtractInterfaces(image, surface, {}, monitor), "extract");
   Demand(SmoothSurface(surface, {}, monitor), "smooth");
-  return surface;
-}
-
-inline TriangleComplex FromTriangles(std::ifstream& file)
-{
-  TriangleComplex surface;
-  const auto counts = Take<Id>(file, 2);
-  surface.points = Take<Vec3>(file, static_cast<std::size_t>(counts[0]));
-  surface.triangles = Take<Triangle>(file, static_cast<std::size_t>(counts[1]));
-  surface.materials.assign(surface.triangles.size(), { 1, 0 });
-  if (MaterialVolumes(surface, { 1 })[0] < 0)
-  {
-    for (Triangle& t : surface.triangles)
-    {
-      std::swap(t[1], t[2]);
-    }
-  }
   return surface;
 }
 
@@ -116,34 +91,6 @@ inline TriangleComplex Load(std::ifstream& file, double& voxel)
              });
   return surface;
 }
-
-class Arguments
-{
-public:
-  Arguments(int argc, char** argv)
-    : Words(argv + 2, argv + argc)
-  {
-  }
-  double Get(const std::string& name, double otherwise) const
-  {
-    const std::string text = this->Text(name);
-    return text.empty() ? otherwise : std::atof(text.c_str());
-  }
-  std::string Text(const std::string& name) const
-  {
-    for (const std::string& word : this->Words)
-    {
-      if (word.rfind(name + "=", 0) == 0)
-      {
-        return word.substr(name.size() + 1);
-      }
-    }
-    return {};
-  }
-
-private:
-  std::vector<std::string> Words;
-};
 
 /// The surface of a .labels or .surface file (WriteRefinementInputs.py) with feature sizes, or of a .sized
 /// file, which has them. NAME=VALUE: layers, minimum, maximum.

@@ -261,3 +261,49 @@ TEST(EditableSurface, NewIdsAreOfTheSameSurface)
   EXPECT_GT(relaxed, 20);
   EXPECT_NEAR(Volume(bench.Written()), volume, 1e-10);
 }
+
+TEST(EditableSurface, UncoveringBettersTheSightAndOnlyThere)
+{
+  // A spike in a sphere: its tip sees none of its faces well.
+  TriangleComplex spiky = RoughSphere();
+  spiky.points[0] = 1.5 * spiky.points[0];
+  Bench bench(spiky, 0.6);
+  const double before = bench.edited.Visibility(0);
+  ASSERT_LT(before, 0.4);
+  for (int i = 0; i < 50 && bench.edited.Uncover(0); ++i)
+  {
+  }
+  EXPECT_GT(bench.edited.Star(0).empty() ? 1 : bench.edited.Visibility(0), 0.45);
+  Bench smooth(RoughSphere(), 0.6);
+  const Id clock = smooth.edited.Clock();
+  EXPECT_FALSE(smooth.edited.Uncover(0)); // sees all of them already
+  EXPECT_EQ(smooth.edited.Clock(), clock);
+  Bench narrow(spiky, 1e-6);
+  EXPECT_FALSE(narrow.edited.Uncover(0)); // the tolerance holds it
+}
+
+TEST(EditableSurface, ReshapingBettersTheWorstTriangleOfASheetsPoint)
+{
+  TriangleComplex skewed = RoughSphere();
+  const Triangle first = skewed.triangles[0]; // drawn along the sphere
+  const Vec3 place = 0.3 * skewed.points[static_cast<std::size_t>(first[0])] +
+                     0.7 * skewed.points[static_cast<std::size_t>(first[1])];
+  skewed.points[static_cast<std::size_t>(first[0])] = Normalized(place);
+  Bench bench(skewed, 0.2);
+  const auto worst = [&]
+  {
+    double q = 1;
+    for (Id t : bench.edited.Star(first[0]))
+    {
+      q = std::min(q, bench.edited.Quality(t));
+    }
+    return q;
+  };
+  const double before = worst();
+  const double volume = Volume(bench.Written());
+  ASSERT_TRUE(bench.edited.Reshape(first[0]));
+  EXPECT_GT(worst(), before);
+  EXPECT_NEAR(Volume(bench.Written()), volume, 1e-12);
+  Bench storeys(TwoStoreys(), 1);
+  EXPECT_FALSE(storeys.edited.Reshape(0)); // a point of a junction stays
+}

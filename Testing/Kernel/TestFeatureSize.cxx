@@ -317,3 +317,20 @@ TEST(FeatureSize, BadInputIsNamed)
   ASSERT_FALSE(result);
   EXPECT_EQ(result.GetError().kind, Failure::Cancelled);
 }
+
+TEST(FeatureSize, FourTrianglesNeedlesAndPiecesAreSized)
+{
+  ThreadMonitor monitor(2);
+  TriangleComplex surface;
+  surface.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  surface.triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
+  surface.materials.assign(4, { 1, 0 });
+  shapes::AddBox(surface, { 5, 0, 0 }, { 105, 0.1, 0.1 }, { { 4, 1, 1 } },
+                 { 2, 0 }); // a needle apart from it
+  ASSERT_TRUE(ComputeFeatureSize(surface, {}, monitor));
+  ASSERT_EQ(surface.targetEdgeLength.size(), surface.points.size());
+  for (double h : surface.targetEdgeLength)
+  {
+    EXPECT_TRUE(h > 0 && std::isfinite(h)) << h;
+  }
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Refinement driven by the feature size on shapes whose answers are known.
+#include "Mesh/VolumeCorrection.h"
 #include "Search/SelfIntersection.h"
 #include "Shapes.h"
 #include "Sizing/FeatureSize.h"
@@ -198,4 +199,58 @@ TEST(RefineShapes, TargetsFarFromTheInputsEdgesAreNoTrouble)
   const auto report = Refine(sphere);
   EXPECT_LT(report.triangles, 1000); // as few as the tolerance lets it be
   EXPECT_LT(report.largestVolumeChange, 1e-6);
+}
+
+TEST(RefineShapes, HiddenNodesAreForbiddenOnlyByTheInputsOwnRidges)
+{
+  // A knife: its ridge of 20 degrees hides every node on it, whatever the triangles.
+  const auto knife = [](double degrees)
+  {
+    TriangleComplex surface;
+    const double half = 10 * std::tan(0.5 * degrees * Pi / 180);
+    surface.points = { { 0, 0, 0 },  { 10, half, 0 },  { 10, -half, 0 },
+                       { 0, 0, 20 }, { 10, half, 20 }, { 10, -half, 20 } };
+    surface.triangles = { { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4 }, { 0, 4, 1 },
+                          { 0, 2, 5 }, { 0, 5, 3 }, { 1, 4, 5 }, { 1, 5, 2 } };
+    surface.materials.assign(8, { 1, 0 });
+    if (MaterialVolumes(surface, { 1 })[0] < 0)
+    {
+      for (Triangle& t : surface.triangles)
+      {
+        std::swap(t[1], t[2]);
+      }
+    }
+    surface.targetEdgeLength.assign(6, 2);
+    return surface;
+  };
+  RefineSurfaceOptions options;
+  options.tolerance = 0.02;
+  TriangleComplex sharp = knife(20);
+  const auto report = Refine(sharp, options);
+  EXPECT_GE(report.hiddenNodes, 8); // along the ridge
+  EXPECT_EQ(report.forbiddenNodes, report.hiddenNodes);
+  EXPECT_EQ(report.hiddenPoints.size(), static_cast<std::size_t>(report.hiddenNodes));
+  TriangleComplex blunt = knife(60); // as are its other two
+  const auto other = Refine(blunt, options);
+  EXPECT_EQ(other.hiddenNodes, other.forbiddenNodes);
+  EXPECT_LE(other.hiddenNodes, 6); // corners at most
+}
+
+TEST(RefineShapes, SizesEvaluatedAnewAtTheRefinedPointsAreThoseCarriedThere)
+{
+  TriangleComplex surface = Sized(TaperingTube(0.3), 100);
+  Refine(surface);
+  const TriangleComplex anew = Sized(surface, 100);
+  ASSERT_EQ(anew.points, surface.points);
+  int count = 0;
+  for (std::size_t p = 0; p < surface.points.size(); ++p)
+  {
+    if (surface.points[p].z > 6 && surface.points[p].z < 24)
+    {
+      ++count;
+      EXPECT_NEAR(anew.thickness[p] / surface.thickness[p], 1, 0.03) << surface.points[p].z;
+      EXPECT_NEAR(anew.targetEdgeLength[p] / surface.targetEdgeLength[p], 1, 0.1) << surface.points[p].z;
+    }
+  }
+  EXPECT_GT(count, 200);
 }

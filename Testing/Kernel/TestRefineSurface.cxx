@@ -241,6 +241,9 @@ TEST(RefineSurface, BadTargetsAreNamed)
   TriangleComplex surface = Sphere(1);
   surface.targetEdgeLength.clear();
   ExpectError(surface, {}, Failure::InvalidInput, "TargetEdgeLength");
+  surface.targetEdgeLength.assign(surface.points.size() - 1, 1);
+  ExpectError(surface, {}, Failure::InvalidInput,
+              std::to_string(surface.points.size() - 1) + " target edge lengths");
   for (const double bad :
        { std::numeric_limits<double>::quiet_NaN(), 0.0, -1.0, std::numeric_limits<double>::infinity() })
   {
@@ -269,6 +272,12 @@ TEST(RefineSurface, BadOptionsAndSurfaces)
   open.triangles.pop_back();
   open.materials.pop_back();
   ExpectError(open, {}, Failure::InvalidInput, "open");
+  TriangleComplex turned = sphere;
+  for (Triangle& t : turned.triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  ExpectError(turned, {}, Failure::InvalidInput, "material 1 is inside out");
   options = {};
   options.tolerance = 1e-15;
   ExpectError(sphere, options, Failure::InvalidOption, "below what coordinates can hold");

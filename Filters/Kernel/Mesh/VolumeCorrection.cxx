@@ -201,6 +201,26 @@ std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::v
   return volumes;
 }
 
+std::optional<Error> CheckSides(const TriangleComplex& surface, const std::vector<int>& materials)
+{
+  const std::vector<double> volumes = MaterialVolumes(surface, materials);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+  {
+    if (!(volumes[m] > 0))
+    {
+      const auto at = std::find_if(surface.materials.begin(), surface.materials.end(),
+                                   [&](const MaterialPair& pair) { return SideOf(pair, materials[m]) != 0; });
+      const Triangle& t = surface.triangles[static_cast<std::size_t>(at - surface.materials.begin())];
+      return InvalidInput("material " + std::to_string(materials[m]) +
+                            " is inside out or flat (its boundary encloses a volume of " +
+                            std::to_string(volumes[m]) +
+                            "): turn its triangles over (Reverse Sense), or correct BoundaryLabels",
+                          { surface.points[static_cast<std::size_t>(t[0])] });
+    }
+  }
+  return std::nullopt;
+}
+
 namespace
 {
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "../Base/Monitor.h"
+#include "../Base/Result.h"
 #include "Adjacency.h"
+
+#include <optional>
 
 namespace lamina
 {
@@ -29,6 +32,9 @@ std::vector<double> ShellVolumes(const TriangleComplex& surface, const SheetGrap
 
 /// The volume enclosed by every material of `materials`.
 std::vector<double> MaterialVolumes(const TriangleComplex& surface, const std::vector<int>& materials);
+
+/// An error if a material's boundary encloses no positive volume: it is turned the wrong way, or flat.
+std::optional<Error> CheckSides(const TriangleComplex& surface, const std::vector<int>& materials);
 
 /// Move the inner points of every sheet along their normals, all of one sheet by the same small height, so
 /// that each shell encloses its target again: the least such change, by Newton's method. Points of curves,

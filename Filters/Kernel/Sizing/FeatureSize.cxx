@@ -19,27 +19,6 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// A closed boundary turned the wrong way would send all rays outside.
-std::optional<Error> CheckSides(const TriangleComplex& surface, const std::vector<int>& materials)
-{
-  const std::vector<double> volumes = MaterialVolumes(surface, materials);
-  for (std::size_t m = 0; m < materials.size(); ++m)
-  {
-    if (!(volumes[m] > 0))
-    {
-      const auto at = std::find_if(surface.materials.begin(), surface.materials.end(),
-                                   [&](const MaterialPair& pair) { return SideOf(pair, materials[m]) != 0; });
-      const Triangle& t = surface.triangles[static_cast<std::size_t>(at - surface.materials.begin())];
-      return InvalidInput("material " + std::to_string(materials[m]) +
-                            " is inside out or flat (its boundary encloses a volume of " +
-                            std::to_string(volumes[m]) +
-                            "): turn its triangles over (Reverse Sense), or correct BoundaryLabels",
-                          { surface.points[static_cast<std::size_t>(t[0])] });
-    }
-  }
-  return std::nullopt;
-}
-
 /// Points x materials, NaN where a point does not touch the material; empty if cancelled.
 std::vector<double> MeasureAll(const TriangleComplex& surface, const Lists& star,
                                const FeatureSizeOptions& options, const std::vector<SizeLimits>& limits,

@@ -156,6 +156,7 @@ private:
 
   /// How far a search for a better place of a point goes, in its target.
   static constexpr double searchSteps[] = { 0.25, 0.1, 0.04, 0.016 };
+  static constexpr double goodSight = 0.5; ///< a node that sees this well needs no uncovering
 
   const InputSurface& Input;
   double MergeRatio;

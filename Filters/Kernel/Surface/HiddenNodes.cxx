@@ -104,6 +104,15 @@ public:
       [&](Id p) { return SeesAll(this->Input.Surface(), Row(this->Star, p)); });
   }
 
+  bool ForbidSheet(const SheetSet& set, const Vec3& x) const
+  {
+    const auto place = this->Input.ClosestOnSheet(set[0], x, 1e300);
+    const std::vector<Id> near = place.triangle < 0
+                                   ? std::vector<Id>{}
+                                   : this->Input.TrianglesNear(set[0], x, 2 * this->Input.Tolerance(place));
+    return !near.empty() && !SeesAll(this->Input.Surface(), { near.data(), near.data() + near.size() });
+  }
+
 private:
   using Table = std::map<SheetSet, std::vector<Id>>;
 
@@ -187,8 +196,9 @@ void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, c
                   const SheetSet set = SheetsOf(sheets, Row(star, static_cast<Id>(p)));
                   const Vec3& x = surface.points[p];
                   forbidden[static_cast<std::size_t>(i)] =
-                    (kind == JunctionCurve && junctions.ForbidCurve(set, x)) ||
-                    (kind == JunctionCorner && junctions.ForbidCorner(set, x));
+                    kind == JunctionCurve    ? junctions.ForbidCurve(set, x)
+                    : kind == JunctionCorner ? junctions.ForbidCorner(set, x)
+                                             : junctions.ForbidSheet(set, x);
                 }
               });
   report.forbiddenNodes = std::count(forbidden.begin(), forbidden.end(), 1);

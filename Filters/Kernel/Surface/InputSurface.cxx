@@ -60,13 +60,30 @@ TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, dou
   return this->Trees[static_cast<std::size_t>(sheet)]->ClosestPoint(p, limit * limit);
 }
 
-bool InputSurface::IsWithin(const TriangleTree::Closest& place) const
+double InputSurface::Tolerance(const TriangleTree::Closest& place) const
 {
   const Triangle& t = this->Complex.triangles[static_cast<std::size_t>(place.triangle)];
-  const double tolerance = place.weights[0] * this->Tolerance(t[0]) +
-                           place.weights[1] * this->Tolerance(t[1]) +
-                           place.weights[2] * this->Tolerance(t[2]);
+  return place.weights[0] * this->Tolerance(t[0]) + place.weights[1] * this->Tolerance(t[1]) +
+         place.weights[2] * this->Tolerance(t[2]);
+}
+
+bool InputSurface::IsWithin(const TriangleTree::Closest& place) const
+{
+  const double tolerance = this->Tolerance(place);
   return place.distance2 <= tolerance * tolerance;
+}
+
+std::vector<Id> InputSurface::TrianglesNear(int sheet, const Vec3& p, double distance) const
+{
+  std::vector<Id> near;
+  this->Trees[static_cast<std::size_t>(sheet)]->FindNear(p, distance * distance,
+                                                         [&](const TriangleTree::Closest& place)
+                                                         {
+                                                           near.push_back(place.triangle);
+                                                           return false;
+                                                         });
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 bool InputSurface::IsNear(int sheet, const Vec3& p, Id& hint) const

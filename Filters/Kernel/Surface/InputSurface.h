@@ -29,6 +29,10 @@ public:
   /// True if p lies within the tolerance of the sheet. `hint`: a triangle to look at first, or -1; becomes
   /// the one that was found.
   bool IsNear(int sheet, const Vec3& p, Id& hint) const;
+  /// The triangles of a sheet within a distance of p, ascending.
+  std::vector<Id> TrianglesNear(int sheet, const Vec3& p, double distance) const;
+  /// The tolerance at a place.
+  double Tolerance(const TriangleTree::Closest& place) const;
   /// The tolerance at a point of the input.
   double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
   double TargetAt(const TriangleTree::Closest& place) const

@@ -48,6 +48,12 @@ Result<RefineSurfaceReport> Check(const TriangleComplex& surface, const RefineSu
   {
     return *error;
   }
+  if (!surface.targetEdgeLength.empty() && surface.targetEdgeLength.size() != surface.points.size())
+  {
+    return InvalidInput("there are " + std::to_string(surface.targetEdgeLength.size()) +
+                        " target edge lengths but " + std::to_string(surface.points.size()) +
+                        " points: give each point one");
+  }
   if (surface.targetEdgeLength.size() != surface.points.size())
   {
     return InvalidInput("there is no target edge length on the points: run Feature Size first, or give an "
@@ -105,6 +111,10 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     return report;
   }
   const std::vector<int> materials = MaterialsOf(surface);
+  if (const auto error = CheckSides(surface, materials))
+  {
+    return *error;
+  }
   const std::vector<double> before = MaterialVolumes(surface, materials);
   const InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
