@@ -10,9 +10,9 @@ NAMES = "1=tissue; 2=blood; wall_tissue_1=epicardium"
 
 
 class Truth:
-    """Counts and sets of a grid; sides come from the boundary's surface."""
+    """Counts and sets of a grid; sides come from the boundary's surface, whose nodes have the grid's numbers or are found by place."""
 
-    def __init__(self, grid, boundary):
+    def __init__(self, grid, boundary, by_place=False):
         self.grid = grid
         self.points = vtk_to_numpy(grid.GetPoints().GetData())
         materials = vtk_to_numpy(grid.GetCellData().GetArray("MaterialIds"))
@@ -29,6 +29,9 @@ class Truth:
         patch_names = boundary.GetFieldData().GetAbstractArray("PatchNames")
         patches = vtk_to_numpy(boundary.GetCellData().GetArray("PatchIds"))
         node_of = vtk_to_numpy(boundary.GetPointData().GetArray("GlobalNodeIds"))
+        if by_place:  # put together anew, the mesh may number its nodes in another order
+            numbers = {tuple(p): i for i, p in enumerate(self.points)}
+            node_of = [numbers[boundary.GetPoint(i)] for i in range(boundary.GetNumberOfPoints())]
         for c in range(boundary.GetNumberOfCells()):
             ids = boundary.GetCell(c).GetPointIds()
             side = tuple(int(node_of[ids.GetId(i)]) for i in range(ids.GetNumberOfIds()))
@@ -58,4 +61,4 @@ def tetrahedra(mesh):
     anew = simple.FluidSolidMesh(Input=[tets], Surface=mesh.Surface, Names=NAMES)
     anew.UpdatePipeline()
     filter_ = anew.GetClientSideObject()
-    return tets, Truth(tets.GetClientSideObject().GetOutputDataObject(0), filter_.GetOutputDataObject(1))
+    return tets, Truth(tets.GetClientSideObject().GetOutputDataObject(0), filter_.GetOutputDataObject(1), True)
