@@ -18,6 +18,9 @@ namespace
 
 constexpr int mostRounds = 4;
 
+/// Nothing corrects volumes afterwards: what is missing is booked and given back by smoothing.
+constexpr double shareOfTolerance = 0.8;
+
 std::size_t At(Id i)
 {
   return static_cast<std::size_t>(i);
@@ -204,7 +207,7 @@ Id ClusterPoints(TriangleComplex& surface, double length, double tolerance, Moni
   }
   TriangleComplex old = surface;
   old.targetEdgeLength.assign(old.points.size(), length);
-  const InputSurface input(old, tolerance, 1, monitor);
+  const InputSurface input(old, tolerance, 1, monitor, shareOfTolerance);
   EditableSurface editable(input, 1, 2);
   const Id merged = MergeShortEdges(editable, length, monitor);
   TriangleComplex now = old;

@@ -20,9 +20,8 @@ namespace lamina
 namespace
 {
 
-constexpr double shortEdge = 0.8; ///< voxels: ends that are nearer are merged
-/// Voxels between the surface before and after that; edits keep a quarter of it in reserve.
-constexpr double clusterTolerance = 0.213;
+constexpr double shortEdge = 0.8;        ///< voxels: ends that are nearer are merged
+constexpr double clusterTolerance = 0.2; ///< voxels between the surface before and after that
 
 class Extraction
 {

@@ -10,10 +10,6 @@ namespace lamina
 namespace
 {
 
-/// What edits may use of the tolerance: the rest is for what lies between the places that are looked at, and
-/// for the last correction of the volumes.
-constexpr double reserve = 0.75;
-
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {
   const double size = surface.featureSize.empty() ? 0 : surface.featureSize[point];
@@ -23,7 +19,7 @@ double DefaultTolerance(const TriangleComplex& surface, std::size_t point, doubl
 } // namespace
 
 InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy,
-                           Monitor& monitor)
+                           Monitor& monitor, double share)
   : Complex(surface)
   , Graph(MakeSheetGraph(Complex))
   , Mean(MeanEdgeLength(Complex))
@@ -35,7 +31,7 @@ InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, dou
   }
   for (std::size_t p = 0; p < this->Complex.points.size(); ++p)
   {
-    this->Tolerances.push_back(reserve *
+    this->Tolerances.push_back(share *
                                (tolerance > 0 ? tolerance : DefaultTolerance(this->Complex, p, this->Mean)));
     this->Widest = std::max(this->Widest, this->Tolerances.back());
   }

@@ -19,7 +19,10 @@ public:
   /// fifth of the target where there is no feature size) and half a mean edge, which is less than half a
   /// voxel.
   /// `anisotropy`: how much longer edges may be along the least curvature.
-  InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy, Monitor& monitor);
+  /// `share`: what edits may use of the tolerance; the rest is for what lies between the places that are
+  /// looked at, and for what corrects volumes after them.
+  InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy, Monitor& monitor,
+               double share = 0.75);
 
   const TriangleComplex& Surface() const { return this->Complex; }
   const SheetGraph& Sheets() const { return this->Graph; }
