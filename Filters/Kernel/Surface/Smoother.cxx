@@ -70,6 +70,7 @@ bool Smoother::Run(SmoothSurfaceReport& report, Monitor& monitor)
       break;
     }
   }
+  this->Wanted = this->Goal.volumes;
   this->HoldVolumes({}, lastPatience, monitor);
   return this->Finish(monitor);
 }
@@ -272,6 +273,7 @@ SheetGaps Smoother::KeepApart(double cutoff, Monitor& monitor)
 /// Measures how far the points may move in this phase.
 void Smoother::StartPhase(double reach, Monitor& monitor)
 {
+  this->Wanted = this->Goal.volumes;
   // Sheets just out of sight must not come too near either.
   const double floor = leastDistance * VoxelPerMeanEdge * this->Unit;
   const SheetGaps gaps = this->KeepApart(2 * shareOfClearance * reach + floor, monitor);

@@ -74,6 +74,9 @@ private:
   const SmoothingGoal& Goal;
   double Unit;
   std::vector<double> Floors; ///< of the clearances around the points
+  /// What the regions' volumes should be; what small ones have, from when theirs was out of reach in this
+  /// phase.
+  std::vector<double> Wanted;
   bool GaveBack = false;
   bool Careful;
   std::vector<std::vector<Relaxable>> Classes;

@@ -50,10 +50,10 @@ void Smoother::GiveBack(Monitor& monitor)
 /// Newton's method for the volumes of all regions, in steps that the guard allows. Points flagged in `held`
 /// (or none if it is empty) stay. Small pieces whose volume is out of reach would keep their neighbours from
 /// theirs: they only keep what they have then, and so on, as what that frees may take others from theirs.
-/// What is not reached is left for the next phase.
+/// What is not reached is left for the next phase, and not tried again before it.
 void Smoother::HoldVolumes(const std::vector<char>& held, Patience patience, Monitor& monitor)
 {
-  std::vector<double> goals = this->Goal.volumes;
+  std::vector<double>& goals = this->Wanted;
   for (int round = 0; round < mostGivingUps; ++round)
   {
     if (this->ReachVolumes(goals, held, patience, monitor))
