@@ -11,7 +11,10 @@
 #include "Volume/LayeredTets.h"
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <sys/resource.h>
 
@@ -45,6 +48,40 @@ std::array<Vec3, 4> Corners(const VolumeMesh& mesh, Id cell)
   return { { mesh.points[U(n[0])], mesh.points[U(n[1])], mesh.points[U(n[2])], mesh.points[U(n[3])] } };
 }
 
+double AngleAt(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+  const Vec3 along = (b - a) * (1 / Norm(b - a));
+  const auto across = [&](const Vec3& x) { return (x - a) - Dot(x - a, along) * along; };
+  const Vec3 u = across(c);
+  const Vec3 v = across(d);
+  return std::atan2(Norm(Cross(u, v)), Dot(u, v)) * 180 / 3.14159265358979;
+}
+
+/// The angle of the material at an edge that lies on its boundary, and how many tets share it; 0 inside.
+std::pair<double, int> WedgeAt(const VolumeMesh& mesh, int material, Id a, Id b)
+{
+  double sum = 0;
+  int count = 0;
+  std::map<Id, int> others;
+  for (Id c = 0; c < mesh.CellCount(); ++c)
+  {
+    const Id* n = mesh.Cell(c);
+    if (mesh.materials[U(c)] != material || std::count(n, n + 4, a) == 0 || std::count(n, n + 4, b) == 0)
+    {
+      continue;
+    }
+    std::vector<Id> rest;
+    std::copy_if(n, n + 4, std::back_inserter(rest), [&](Id x) { return x != a && x != b; });
+    sum += AngleAt(mesh.points[U(a)], mesh.points[U(b)], mesh.points[U(rest[0])], mesh.points[U(rest[1])]);
+    ++count;
+    ++others[rest[0]];
+    ++others[rest[1]];
+  }
+  const bool isOpen =
+    std::any_of(others.begin(), others.end(), [](const auto& other) { return other.second == 1; });
+  return { isOpen ? sum : 0, count };
+}
+
 void PrintTet(const VolumeMesh& mesh, Id cell, double quality, bool isListed)
 {
   const Vec3 place = Corners(mesh, cell)[0];
@@ -54,7 +91,30 @@ void PrintTet(const VolumeMesh& mesh, Id cell, double quality, bool isListed)
   {
     std::printf(" %d", mesh.layerIndex[U(mesh.Cell(cell)[k])]);
   }
-  std::printf("%s\n", isListed ? ", at a hidden node" : "");
+  std::printf("%s\n     ", isListed ? ", at a hidden node" : "");
+  const Id* n = mesh.Cell(cell);
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = i + 1; j < 4; ++j)
+    {
+      const auto [wedge, tets] = WedgeAt(mesh, mesh.materials[U(cell)], n[i], n[j]);
+      int k = 0;
+      while (k == i || k == j)
+      {
+        ++k;
+      }
+      const int l = 6 - i - j - k;
+      std::printf(" %d-%d: length %.3f angle %.0f", i, j, Norm(mesh.points[U(n[i])] - mesh.points[U(n[j])]),
+                  AngleAt(mesh.points[U(n[i])], mesh.points[U(n[j])], mesh.points[U(n[k])],
+                          mesh.points[U(n[l])]));
+      if (wedge > 0)
+      {
+        std::printf(" of %.0f in %d tets", wedge, tets);
+      }
+      std::printf(";");
+    }
+  }
+  std::printf("\n");
 }
 
 /// Quality of all tets, and which of the poor ones touch a node that refinement listed as hidden.

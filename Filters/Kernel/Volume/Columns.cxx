@@ -159,6 +159,10 @@ Result<Columns> ColumnGrowth::Run()
 {
   this->SetFractions();
   this->FindDirections();
+  for (std::size_t v = 0; v < this->Options.stopped.size(); ++v)
+  {
+    this->C.hidden[v] |= this->Options.stopped[v];
+  }
   this->SmoothDirections();
   this->SetHeights();
   SubMonitor mending(this->Watch, 0, 0.8);

@@ -27,6 +27,7 @@ struct ColumnOptions
   /// Prisms are better (WedgeQuality), or their columns stop; but not where no direction sees
   /// all faces well, or one of them is poor.
   double leastQuality = 0.2;
+  std::vector<char> stopped{}; ///< one a wall node, not 0: no column stands there; empty: all may
 };
 
 /// Layer k (0 the wall, `layers` the front) of node v stands at wall.points[v] + height[v] * fraction[k] *

@@ -75,14 +75,15 @@ void Compact(TetSet& set)
 
 Id CountOf(const ImproveTetsReport& report)
 {
-  return report.edgesRemoved + report.facesFlipped + report.pointsMoved + report.pointsRemoved +
-         report.pointsAdded;
+  return report.edgesRemoved + report.facesFlipped + report.cavitiesFilled + report.pointsMoved +
+         report.pointsRemoved + report.pointsAdded;
 }
 
 void Note(TetCavity::Done done, ImproveTetsReport& report)
 {
   report.edgesRemoved += done == TetCavity::Done::EdgeRemoved;
   report.facesFlipped += done == TetCavity::Done::FaceFlipped;
+  report.cavitiesFilled += done == TetCavity::Done::CavityFilled;
   report.pointsRemoved += done == TetCavity::Done::PointRemoved;
   report.pointsAdded += done == TetCavity::Done::PointAdded;
 }
@@ -106,7 +107,10 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, 
     report.pointsMoved += cavity.MovePoints(tet);
     if (quality() < std::min(limits.points, before + LittleGain))
     {
-      done = cavity.Collapse(tet, quality() < limits.layers, report.takenFromLayers);
+      done = cavity.Refill(tet);
+      done = done == TetCavity::Done::Nothing
+               ? cavity.Collapse(tet, quality() < limits.layers, report.takenFromLayers)
+               : done;
       done = done == TetCavity::Done::Nothing ? cavity.Insert(tet) : done;
     }
   }

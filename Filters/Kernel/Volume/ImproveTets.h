@@ -33,6 +33,7 @@ struct ImproveTetsReport
 {
   Id edgesRemoved = 0;
   Id facesFlipped = 0;
+  Id cavitiesFilled = 0;
   Id pointsMoved = 0;
   Id pointsRemoved = 0; ///< they stay in the list of points, unused
   Id pointsAdded = 0;   ///< at the end of the list, free, of no layer

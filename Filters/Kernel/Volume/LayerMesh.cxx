@@ -45,6 +45,22 @@ Id LayerMesh::WallPoint(Id surfacePoint)
   return id;
 }
 
+void LayerMesh::BackTo(const Bookmark& mark)
+{
+  this->Mesh.points.resize(mark.points);
+  this->Mesh.layerIndex.resize(mark.points);
+  this->Mesh.interfaceNodeIds.resize(mark.points);
+  this->Mesh.types.resize(mark.cells);
+  this->Mesh.offsets.resize(mark.cells + 1);
+  this->Mesh.connectivity.resize(U(this->Mesh.offsets.back()));
+  this->Mesh.materials.resize(mark.cells);
+  this->Mesh.layers.resize(mark.cells);
+  for (Id& id : this->PointOfSurface)
+  {
+    id = id < static_cast<Id>(mark.points) ? id : -1;
+  }
+}
+
 std::vector<Id> LayerMesh::Add(const Wall& wall, const Columns& columns, ColumnCells kind,
                                LayersReport& report)
 {

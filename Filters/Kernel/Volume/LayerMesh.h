@@ -29,6 +29,15 @@ public:
   Id WallPoint(Id surfacePoint);
   Id AddPoint(const Vec3& place, int layerIndex);
 
+  /// How much of the mesh there is; what is added after it can be taken back.
+  struct Bookmark
+  {
+    std::size_t points;
+    std::size_t cells;
+  };
+  Bookmark Here() const { return { this->Mesh.points.size(), this->Mesh.types.size() }; }
+  void BackTo(const Bookmark& mark);
+
 private:
   const TriangleComplex& Surface;
   VolumeMesh& Mesh;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayeredTets.h"
 
-#include "../Geometry/Quality.h"
 #include "ImproveLayers.h"
 #include "LayerMesh.h"
 #include "MiddlePoints.h"
+#include "PoorLayers.h"
 
 #include <algorithm>
 
@@ -44,6 +44,8 @@ std::optional<Error> CheckOptions(const LayeredTetsOptions& options)
   return std::nullopt;
 }
 
+constexpr int MostAttempts = 4; ///< at a solid, each with more columns stopped
+
 /// Layers and core of one solid, appended to the mesh.
 class Solid
 {
@@ -59,6 +61,8 @@ public:
   std::optional<Error> Fill(int material, LayersOnSurface& onSurface, LayersReport& report, Monitor& monitor);
 
 private:
+  std::optional<Error> Build(const Wall& wall, const std::vector<char>& stopped, LayersOnSurface& onSurface,
+                             LayersReport& report, Monitor& monitor);
   std::optional<Error> FillCore(const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds,
                                 Monitor& monitor);
 
@@ -102,10 +106,56 @@ std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
   return std::nullopt;
 }
 
+/// Where tets come out poor, layers are too thin for the triangles: their columns stop, and the solid is
+/// built anew, as long as that makes it better.
 std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, LayersReport& report,
                                  Monitor& monitor)
 {
   const Wall wall = MakeWall(this->Surface, material);
+  const LayerMesh::Bookmark start = this->Layers.Here();
+  const LayersOnSurface before = onSurface;
+  const LayersReport reportBefore = report;
+  std::vector<char> stopped(wall.points.size(), 0);
+  std::vector<char> best;
+  double bestLeast = -1;
+  double from = 0; // most solids need one attempt
+  for (int attempt = 1;; ++attempt)
+  {
+    const double to = 0.2 * from + 0.8;
+    SubMonitor part(monitor, from, to);
+    from = to;
+    if (const auto error = this->Build(wall, stopped, onSurface, report, part))
+    {
+      return error;
+    }
+    double least = 1;
+    const std::vector<Id> poor = ColumnsOfPoor(this->Mesh, start.cells, wall, least);
+    const bool isBest = least > bestLeast;
+    if ((isBest && (poor.empty() || attempt == MostAttempts)) || (!best.empty() && stopped == best))
+    {
+      return std::nullopt;
+    }
+    if (isBest)
+    {
+      bestLeast = least;
+      best = stopped;
+    }
+    const bool isLast = poor.empty() || !isBest;
+    stopped = isLast ? best : stopped;
+    for (Id v : isLast ? std::vector<Id>{} : poor)
+    {
+      stopped[U(v)] = 1;
+    }
+    this->Layers.BackTo(start);
+    onSurface = before;
+    report = reportBefore;
+  }
+}
+
+/// Layers, core and their improvement; no columns stand on wall nodes where `stopped` is not 0.
+std::optional<Error> Solid::Build(const Wall& wall, const std::vector<char>& stopped,
+                                  LayersOnSurface& onSurface, LayersReport& report, Monitor& monitor)
+{
   const int columnLayers = LayersOfColumn(this->Options.layers);
   double share = 0; // of the thickness: the columns' layers out of all, with growth towards the middle
   double all = 0;
@@ -116,8 +166,9 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
     all += (this->Options.layers % 2 == 1 && k == this->Options.layers / 2 ? 1 : 2) * step;
   }
   SubMonitor growing(monitor, 0, 0.4);
-  const Result<Columns> columns =
-    GrowColumns(wall, { columnLayers, this->Options.growth, share / all, ColumnCells::Tets }, growing);
+  ColumnOptions asked{ columnLayers, this->Options.growth, share / all, ColumnCells::Tets };
+  asked.stopped = stopped;
+  const Result<Columns> columns = GrowColumns(wall, asked, growing);
   if (!columns)
   {
     return columns.GetError();
@@ -176,14 +227,7 @@ Result<LayersReport> MeshLayeredTets(const TriangleComplex& surface, const Layer
     }
   }
   report.tets = mesh.CellCount();
-  report.leastQuality = 1;
-  for (Id c = 0; c < mesh.CellCount(); ++c)
-  {
-    const Id* n = mesh.Cell(c);
-    report.leastQuality =
-      std::min(report.leastQuality, TetQuality(mesh.points[U(n[0])], mesh.points[U(n[1])],
-                                               mesh.points[U(n[2])], mesh.points[U(n[3])]));
-  }
+  report.leastQuality = LeastQuality(mesh);
   monitor.Progress(1, "layered tetrahedra made");
   return report;
 }

@@ -28,6 +28,7 @@ public:
     Nothing,
     EdgeRemoved,
     FaceFlipped,
+    CavityFilled,
     PointRemoved,
     PointAdded
   };
@@ -40,6 +41,9 @@ public:
   /// The best of removing one of the tet's edges or flipping one of its faces, if that raises the least
   /// quality.
   Done Reconnect(Id tet);
+  /// Fills a cavity of some tets round it anew, in the best way that there is, if that raises the least
+  /// quality. Free points of no layer may be left out.
+  Done Refill(Id tet);
   /// Moves the tet's free points uphill; the number that moved.
   Id MovePoints(Id tet);
   /// Draws one of the tet's free points into another of its points, or puts a point into a cavity round it,
@@ -62,6 +66,8 @@ private:
   struct Shell;
   bool FindCavity(Id tet, const Vec3& place, Shell& shell) const;
   bool KeepsPoints(const Shell& shell) const;
+  Id Next(const Shell& shell, const std::vector<Id>& points) const;
+  Change Filled(const Shell& shell, const std::vector<Id>& points) const;
   std::vector<Vec3> PlacesIn(Id tet) const;
   Id Across(const Triangle& face, Id tet) const;
   bool MayRemove(Id point, Id into, bool acrossLayers) const;

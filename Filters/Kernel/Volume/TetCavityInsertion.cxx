@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points put in and taken out; reconnections are in TetCavity.cxx, moves in TetCavityPoints.cxx.
-#include "TetCavity.h"
+#include "TetCavityShell.h"
 
 #include "../Geometry/Predicates.h"
-#include "../Mesh/TetFaces.h"
 
 #include <algorithm>
 #include <limits>
@@ -31,35 +30,6 @@ bool Has(const TetCavity::Tet& tet, Id point)
 }
 
 } // namespace
-
-struct TetCavity::Shell
-{
-  std::vector<Id> tets;
-  std::vector<Triangle> faces;
-  std::vector<Id> inside; ///< one a face: its tet
-
-  void Add(Id tet, const Tet& corners)
-  {
-    this->tets.push_back(tet);
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const Triangle face = TetFace(corners, k);
-      const auto same = [&](const Triangle& other)
-      { return std::is_permutation(face.begin(), face.end(), other.begin()); };
-      const auto found = std::find_if(this->faces.begin(), this->faces.end(), same);
-      if (found == this->faces.end())
-      {
-        this->faces.push_back(face);
-        this->inside.push_back(tet);
-      }
-      else
-      {
-        this->inside.erase(this->inside.begin() + (found - this->faces.begin()));
-        this->faces.erase(found);
-      }
-    }
-  }
-};
 
 /// The tet on the other side of a face, of the same group; -1 if there is none or it is not known.
 Id TetCavity::Across(const Triangle& face, Id tet) const
