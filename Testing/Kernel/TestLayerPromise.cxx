@@ -19,7 +19,7 @@ namespace
 
 /// Fills material 1 with `count` layers and sends rays through it.
 layers::RayCount Send(const TriangleComplex& surface, int count, double shortest, double longest, Id rays,
-                      LayersReport* whatCame = nullptr, double leastQuality = 0.1)
+                      LayersReport* whatCame = nullptr)
 {
   ThreadMonitor monitor(2);
   LayeredTetsOptions options;
@@ -29,7 +29,7 @@ layers::RayCount Send(const TriangleComplex& surface, int count, double shortest
   LayersOnSurface onSurface;
   const auto report = MeshLayeredTets(surface, options, mesh, onSurface, monitor);
   EXPECT_TRUE(report) << (report ? "" : report.GetError().message);
-  EXPECT_GT(report->leastQuality, leastQuality);
+  EXPECT_GT(report->leastQuality, 0.1);
   // No tet spans three layers.
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
@@ -131,7 +131,6 @@ TEST(LayerPromise, NoTetSpansThreeLayersWhereColumnsStop)
   const auto sized = Refine(image, sizing, surface);
   ASSERT_TRUE(sized);
   LayersReport report;
-  Send(surface, 8, sized->minimum, sized->maximum, 2000, &report,
-       0.09); // the edge of the wedge is too coarse: 0.096
+  Send(surface, 8, sized->minimum, sized->maximum, 2000, &report);
   EXPECT_GT(report.stoppedColumns, 0);
 }

@@ -50,7 +50,8 @@ struct ImproveTetsReport
 /// After L. A. Freitag, C. Ollivier-Gooch: Tetrahedral mesh improvement using swapping and smoothing,
 /// International Journal for Numerical Methods in Engineering 40 (1997), and, for points put in, B. M.
 /// Klingner, J. R. Shewchuk: Aggressive tetrahedral mesh improvement, 16th International Meshing Roundtable
-/// (2007). Stops early, with a sound mesh, when cancelled.
+/// (2007), and, for small cavities filled anew, C. Marot, K. Verhetsel, J.-F. Remacle: Reviving the search for
+/// optimal tetrahedralizations, 28th International Meshing Roundtable (2020). Stops early, with a sound mesh, when cancelled.
 ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Monitor& monitor);
 
 } // namespace lamina

@@ -46,6 +46,11 @@ std::optional<Error> CheckOptions(const LayeredTetsOptions& options)
 
 constexpr int MostAttempts = 4; ///< at a solid, each with more columns stopped
 
+/// Tets of longer shape than this are what was asked for.
+constexpr double MostAnisotropy = 4;
+/// More columns than this share do not stand badly: the surface is too coarse for so many layers.
+constexpr double MostStopped = 0.01;
+
 /// Layers and core of one solid, appended to the mesh.
 class Solid
 {
@@ -63,6 +68,11 @@ public:
 private:
   std::optional<Error> Build(const Wall& wall, const std::vector<char>& stopped, LayersOnSurface& onSurface,
                              LayersReport& report, Monitor& monitor);
+  bool MayStop(const std::vector<Id>& nodes, const Wall& wall) const
+  {
+    return this->Options.anisotropy <= MostAnisotropy &&
+           static_cast<double>(nodes.size()) <= MostStopped * static_cast<double>(wall.points.size());
+  }
   std::optional<Error> FillCore(const Wall& wall, const Columns& columns, const std::vector<Id>& frontIds,
                                 Monitor& monitor);
 
@@ -129,7 +139,11 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
       return error;
     }
     double least = 1;
-    const std::vector<Id> poor = ColumnsOfPoor(this->Mesh, start.cells, wall, least);
+    std::vector<Id> poor = ColumnsOfPoor(this->Mesh, start.cells, wall, least);
+    if (!this->MayStop(poor, wall))
+    {
+      poor.clear();
+    }
     const bool isBest = least > bestLeast;
     if ((isBest && (poor.empty() || attempt == MostAttempts)) || (!best.empty() && stopped == best))
     {
