@@ -4,6 +4,7 @@
 #include "../Geometry/Quality.h"
 #include "CoreTetsFill.h"
 #include "CoreTetsInput.h"
+#include "FrontCells.h"
 #include "GradedPoints.h"
 
 #include <algorithm>
@@ -64,6 +65,20 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
   report.aboveGate = report.tets > 0 ? (report.aboveGate - 1) / static_cast<double>(report.tets) : 1;
 }
 
+/// Betters the tets, with an eye on the prisms behind the surface if there are some.
+void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
+{
+  const FrontCells behind(surface);
+  ImproveTetsOptions options;
+  if (!surface.layerSide.empty())
+  {
+    set.front = &behind;
+    options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
+  }
+  ImproveTets(set, options, monitor);
+  set.front = nullptr;
+}
+
 Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec3>& interior,
                            const CoreTetsOptions& options, VolumeMesh& mesh, Monitor& monitor,
                            CoreTetsReport& report)
@@ -84,7 +99,7 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
   set.fixed.assign(set.points.size(), 0);
   std::fill_n(set.fixed.begin(), surface.points.size(), 1);
   SubMonitor improving(monitor, 0.85, 1);
-  ImproveTets(set, ImproveTetsOptions{}, improving);
+  Improve(surface, set, improving);
   if (monitor.Cancelled())
   {
     return Cancelled();

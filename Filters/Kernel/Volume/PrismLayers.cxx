@@ -107,6 +107,7 @@ void Append(const TriangleComplex& part, TriangleComplex& whole)
     whole.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
   }
   whole.layerHeight.insert(whole.layerHeight.end(), part.layerHeight.begin(), part.layerHeight.end());
+  whole.layerSide.insert(whole.layerSide.end(), part.layerSide.begin(), part.layerSide.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
 }
 
