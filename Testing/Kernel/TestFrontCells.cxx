@@ -83,7 +83,7 @@ TEST(FrontCells, VolumesCountByTheirRatio)
   EXPECT_NEAR(fit(0.3), 0.22, 1e-12);
   EXPECT_LT(fit(6), 0.2);
   EXPECT_LT(fit(0.1), 0.2);
-  EXPECT_GE(fit(1000), 0.15);
+  EXPECT_GE(fit(1000), 0.12);
 }
 
 TEST(FrontCells, LeaningCellsCountByTheirAngle)

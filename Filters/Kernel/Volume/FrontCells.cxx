@@ -21,25 +21,25 @@ constexpr double LeastFit = 0.1;
 /// sides in their plane.
 constexpr double LeastPrism = 1e-9;
 
-/// Volume of a tet of 3r/R 0.15 on an equilateral triangle, over twice that triangle's area to the power 1.5:
-/// it is 0.136 edges high.
-constexpr double LowestTet = 0.0244;
+/// Volume of a tet of 3r/R 0.13 on an equilateral triangle, over twice that triangle's area to the power 1.5:
+/// it is 0.127 edges high.
+constexpr double LowestTet = 0.0227;
 
 std::size_t U(Id i)
 {
   return static_cast<std::size_t>(i);
 }
 
-/// 0.25 at 0.5 and 2, 0.22 at 0.3 and 3, and never below 0.15.
+/// 0.25 at 0.5 and 2, 0.22 at 0.3 and 3, and never below 0.12.
 double WorthOfRatio(double ratio)
 {
   if (ratio > 2)
   {
-    return ratio < 3 ? 0.25 - 0.03 * (ratio - 2) : 0.15 + 0.21 / ratio;
+    return ratio < 3 ? 0.25 - 0.03 * (ratio - 2) : 0.12 + 0.3 / ratio;
   }
   if (ratio < 0.5)
   {
-    return ratio > 0.3 ? 0.22 + 0.15 * (ratio - 0.3) : 0.15 + 0.07 * std::max(0.0, ratio) / 0.3;
+    return ratio > 0.3 ? 0.22 + 0.15 * (ratio - 0.3) : 0.12 + 0.1 * std::max(0.0, ratio) / 0.3;
   }
   return 1;
 }

@@ -18,7 +18,7 @@ public:
   /// What the fit over a face allows to a tet with this corner opposite to it; 1: nothing amiss, or no prism
   /// behind. Two measures on the scale of 3r/R: the cosine between the face's normal and the line of the
   /// cells' centres (non-orthogonality; 82 degrees count 0.2), and the tet's volume over the prism's (0.5 to
-  /// 2 are 0.25 and more, 0.3 to 3 are 0.22 and more, but never less than 0.15: shape comes first).
+  /// 2 are 0.25 and more, 0.3 to 3 are 0.22 and more, but never less than 0.12: shape comes first).
   double FitOver(const Triangle& face, const std::vector<Vec3>& points, const Vec3& apex) const;
   /// The least over the tet's faces.
   double FitOf(const std::array<Id, 4>& tet, const std::vector<Vec3>& points) const;
