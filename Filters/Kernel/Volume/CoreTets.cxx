@@ -17,6 +17,7 @@ namespace
 using Tet = std::array<Id, 4>;
 
 constexpr double QualityGate = 0.1;
+constexpr double ShapeFirst = 0.16; ///< tets below need not fit the prisms behind
 
 std::size_t Index(Id id)
 {
@@ -76,7 +77,13 @@ void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
     options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
   }
   ImproveTets(set, options, monitor);
-  set.front = nullptr;
+  if (set.front != nullptr)
+  {
+    // What is near the gate still is bettered whatever becomes of the fit.
+    set.front = nullptr;
+    options.target = options.pointsBelow = ShapeFirst;
+    ImproveTets(set, options, monitor);
+  }
 }
 
 Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec3>& interior,
