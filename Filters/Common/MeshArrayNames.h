@@ -28,6 +28,7 @@ constexpr const char* MaterialFeatureSize = "MaterialFeatureSize";
 constexpr const char* FeatureSize = "FeatureSize";
 constexpr const char* TargetEdgeLength = "TargetEdgeLength";
 constexpr const char* LayerHeight = "LayerHeight";
+constexpr const char* LayerSide = "LayerSide";
 constexpr const char* MaximumCurvature = "MaximumCurvature";
 constexpr const char* MinimumCurvature = "MinimumCurvature";
 constexpr const char* MaximumCurvatureDirection = "MaximumCurvatureDirection";

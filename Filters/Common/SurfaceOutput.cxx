@@ -100,6 +100,7 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   SetOrRemove<vtkDoubleArray>(points, names::FeatureSize, surface.featureSize);
   SetOrRemove<vtkDoubleArray>(points, names::TargetEdgeLength, surface.targetEdgeLength);
   SetOrRemove<vtkDoubleArray>(points, names::LayerHeight, surface.layerHeight);
+  SetOrRemoveVectors(points, names::LayerSide, surface.layerSide);
   WriteCurvatures(surface, points);
   WriteThickness(surface, output);
   WritePatchNames(surface, output);

@@ -98,6 +98,16 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
       return heights.GetError();
     }
     surface->layerHeight = std::move(*heights);
+    const auto sides = lamina::ReadValues<double>(input->GetPointData(), lamina::names::LayerSide,
+                                                  input->GetNumberOfPoints(), 3, "points");
+    if (!sides)
+    {
+      return sides.GetError();
+    }
+    for (std::size_t i = 0; i + 2 < sides->size(); i += 3)
+    {
+      surface->layerSide.push_back({ (*sides)[i], (*sides)[i + 1], (*sides)[i + 2] });
+    }
     const lamina::CoreTetsOptions options{ lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio,
                                            this->SizeFactor, this->MaximumEdge };
     lamina::VolumeMesh mesh;

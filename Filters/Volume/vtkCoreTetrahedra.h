@@ -4,7 +4,8 @@
  * @brief   fills closed surfaces with tetrahedra and adds no point on them
  *
  * Input: vtkPolyData of triangles with BoundaryLabels, closed around each material (port 1 of vtkPrismLayer),
- * or any closed surface of one orientation (material 1).
+ * or any closed surface of one orientation (material 1). With LayerHeight and LayerSide (double, 1 and 3
+ * components) on the points, tetrahedra go well with the prisms behind the surface.
  *
  * Output, port 0: vtkUnstructuredGrid of tetrahedra with MaterialIds and LayerIds (0) on the cells,
  * LayerIndex (-1 inside) and InterfaceNodeIds on the points. Port 1: the triangles of the input that were

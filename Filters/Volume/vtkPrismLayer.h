@@ -10,13 +10,15 @@
  * openings and at nodes that no direction sees) with MaterialIds and LayerIds (int, 1 touches the wall) on
  * the cells, LayerIndex (int, 0 on the wall) and InterfaceNodeIds (vtkIdType, the surface point a node is,
  * else -1) on the points. Port 1: vtkPolyData, the closed surfaces that bound what is left, with
- * BoundaryLabels (fluid, 0). Port 2: the input surface with LayersAchieved (int) and
- * LayerFraction (double, the share of the asked thickness) on its triangles.
+ * BoundaryLabels (fluid, 0; both fluids where columns on both sides stopped), and LayerHeight and LayerSide
+ * (double, 1 and 3 components: of the last layer) on the points. Port 2: the input surface with
+ * LayersAchieved (int) and LayerFraction (double, the share of the asked thickness) on its triangles.
  *
  * Points are marched inwards along directions that see all faces around them, each layer thicker than the one
- * before by GrowthRatio, and no farther than the room in front of them allows. R. Loehner and J. Cebral,
- * Generation of non-isotropic unstructured grids via directional enrichment, Int. J. Numer. Meth. Eng. 49
- * (2000) 219-232.
+ * before by GrowthRatio, and no farther than the room in front of them allows; then the front is smoothed.
+ * R. Loehner, J. Cebral, Generation of non-isotropic unstructured grids via directional enrichment, Int. J.
+ * Numer. Meth. Eng. 49 (2000) 219-232; V. Dyedov and others, Variational generation of prismatic
+ * boundary-layer meshes for biomedical computing, Int. J. Numer. Meth. Eng. 79 (2009) 907-945.
  *
  * Every triangle of a fluid's wall belongs unchanged to one cell; the Jacobian of every cell is positive
  * everywhere; the inner surface does not intersect itself, tested exactly.
@@ -81,17 +83,11 @@ public:
 
   ///@{
   /**
-   * The height of all layers together, a length, instead of the share; 0: by the share. Where it is more
-   * than 0.45 of the local feature size, layers are thinner. Default: 0.
+   * The height of all layers together, or of the first one, a length, instead of the share; 0: by the share.
+   * Where it asks for more than 0.45 of the local feature size, layers are thinner. Default: 0.
    */
   vtkSetMacro(TotalThickness, double);
   vtkGetMacro(TotalThickness, double);
-  ///@}
-
-  ///@{
-  /**
-   * The height of the first layer, a length, instead of both; 0: not fixed. Default: 0.
-   */
   vtkSetMacro(FirstHeight, double);
   vtkGetMacro(FirstHeight, double);
   ///@}
@@ -118,19 +114,13 @@ public:
 
   ///@{
   /**
-   * The materials on whose walls prisms grow; 0 is the outside. Default: none, which stands for all.
+   * The materials on whose walls prisms grow (0 is the outside), and the patches of the surface on which they
+   * do (PatchIds; 0 for walls of no other; never on openings). Default: none, which stands for all.
    */
   void AddNeighbourMaterial(int material);
   void ClearNeighbourMaterials();
   int GetNumberOfNeighbourMaterials() { return static_cast<int>(this->NeighbourMaterials.size()); }
   int GetNeighbourMaterial(int index);
-  ///@}
-
-  ///@{
-  /**
-   * The patches of the surface (PatchIds; 0 for walls of no other) on which prisms grow. On openings none do.
-   * Default: none, which stands for all.
-   */
   void AddWallPatchId(int patch);
   void ClearWallPatchIds();
   int GetNumberOfWallPatchIds() { return static_cast<int>(this->WallPatchIds.size()); }

@@ -52,6 +52,8 @@ class Cells:
         self.wall_ids = vtk_to_numpy(grid.GetPointData().GetArray("InterfaceNodeIds"))
         layers = vtk_to_numpy(grid.GetCellData().GetArray("LayerIds"))
         self.layer = layers[types == WEDGE]
+        materials = vtk_to_numpy(grid.GetCellData().GetArray("MaterialIds"))
+        self.materials = np.concatenate([materials[types == kind] for kind in (TET, WEDGE, PYRAMID)])
 
     def columns_on(self, nodes):
         """For each wedge whether one of its columns stands on one of the surface's nodes."""
@@ -176,10 +178,12 @@ def face_of(points, corners):
 
 
 def face_figures(layer, core):
-    """Non-orthogonality and skewness of all inner faces, and how volumes jump from the last prisms to the core."""
+    """Non-orthogonality and skewness of all faces inside a material, and how volumes jump from the last prisms to the core."""
     points, corners, keys, owners, centres, volumes, kinds = all_faces(layer, core)
     order = np.lexsort(keys.T)
     pair = np.flatnonzero((keys[order][1:] == keys[order][:-1]).all(axis=1))
+    materials = np.concatenate([layer.materials, core.materials])
+    pair = pair[materials[owners[order[pair]]] == materials[owners[order[pair + 1]]]]
     one, two = order[pair], order[pair + 1]
     area, centre = np.empty((len(one), 3)), np.empty((len(one), 3))
     for quad in (False, True):

@@ -3,8 +3,8 @@
 
     LAMINA_PLUGIN=.../Lamina.so pvpython MeasureFluid.py SHARED_DATA CACHE [NAME:EDGES:LAYERS:GROWTH ...]
 
-with PYTHONPATH set to the plugin's folder. NAME is phantom120 (any resolution), heart_cta, vmtk_aorta (closed) or
-biv_heart_surface (inside); EDGES the layers of tissue that Feature Size makes the edges for; LAYERS and GROWTH those of
+with PYTHONPATH set to the plugin's folder. NAME is phantom120 (any resolution), heart_cta, mickey (all five
+materials taken for fluids), vmtk_aorta (closed) or biv_heart_surface (inside); EDGES the layers of tissue that Feature Size makes the edges for; LAYERS and GROWTH those of
 the prisms. Without any: all of them at 5 layers and 1.2. Surfaces are kept in CACHE, to be read again. One line of a
 table is written for each.
 """
@@ -65,6 +65,8 @@ def make_surface(name, data, layers):
         scan = read_image(os.path.join(data, name, "ct.mha"))
         mask = read_mask(os.path.join(data, name, "mask.mha"), scan)
         labels = pipeline.segment(scan, mask, options(thresholds=[-20, 215]))
+    elif name == "mickey":
+        labels = pipeline.take_labels(read_image(os.path.join(data, "cleaver_tests", "mickey.nrrd")), None)
     else:
         grey, = pipeline.update(simple.HeartPhantom(Resolution=int(name[len("phantom"):])))
         labels = pipeline.segment(grey, None, options())
@@ -101,8 +103,8 @@ def enclosed_volume(surface, material):
 
 def measure(name, surface, edges, layers, growth):
     labels = vtk_to_numpy(surface.GetCellData().GetArray("BoundaryLabels"))
-    fluid = 2 if (labels == 2).any() else 1
-    prisms = simple.PrismLayer(Input=producer(surface), FluidMaterials=[fluid], Layers=layers, GrowthRatio=growth)
+    fluids = [int(m) for m in np.unique(labels) if m > 0] if name == "mickey" else [2 if (labels == 2).any() else 1]
+    prisms = simple.PrismLayer(Input=producer(surface), FluidMaterials=fluids, Layers=layers, GrowthRatio=growth)
     seconds = timed(prisms)
     core = simple.CoreTetrahedra(Input=simple.OutputPort(prisms, 1))
     more = timed(core)
@@ -119,9 +121,9 @@ def measure(name, surface, edges, layers, growth):
     tets = Cells(output_of(core))
     quality = np.concatenate([tets.tet_quality(), cells.tet_quality()])
     achieved = vtk_to_numpy(walls.GetCellData().GetArray("LayersAchieved"))
-    achieved = achieved[(labels == fluid).any(axis=1)]
+    achieved = achieved[np.isin(labels, fluids).any(axis=1)]
     faces = face_figures(cells, tets)
-    expected = enclosed_volume(surface, fluid)
+    expected = sum(enclosed_volume(surface, fluid) for fluid in fluids)
     volume = cells.volumes().sum() + tets.volumes().sum()
     row = (name, edges, f"{layers}, {growth}", f"{len(wedges):,}", int(cells.invalid()),
            f"{poor.sum()} ({(poor & listed).sum()})", f"{wedges.min():.3f}", f"{100 * (achieved == layers).mean():.2f} %",

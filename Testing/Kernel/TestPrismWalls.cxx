@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where prisms grow and where they end: openings, chosen walls, walls that allow none, troubled fluids.
 #include "PrismChecks.h"
+#include "Volume/CoreTets.h"
+
+#include <map>
 
 using namespace lamina;
 using namespace prisms;
@@ -139,6 +142,49 @@ TEST(PrismLayers, PoorColumnsEnd)
     options.leastQuality = quality;
     ExpectError(surface, options, Failure::InvalidOption, "least quality");
   }
+}
+
+TEST(PrismLayers, FluidsShareWhatColumnsLeave)
+{
+  // Around a point between two fluids steep spikes go up and down in turn: from neither side a direction sees
+  // all faces there, so both fronts have the point and the triangles at it.
+  TriangleComplex surface;
+  shapes::AddBox(surface, { 0, 0, -30 }, { 8, 8, 0 }, { { 8, 8, 8 } }, { 1, 2 });
+  shapes::AddBox(surface, { -16, -16, -46 }, { 24, 24, 28 }, { { 8, 8, 12 } }, { 2, 0 });
+  for (Vec3& p : surface.points)
+  {
+    const double dx = std::abs(p.x - 4);
+    const double dy = std::abs(p.y - 4);
+    if (p.z == 0 && dx + dy == 1)
+    {
+      p.z = dx == 1 ? 12 : -12;
+    }
+  }
+  Size(surface);
+  PrismLayersOptions options;
+  options.materials = { 1, 2 };
+  options.layers = 2;
+  const Layers layers = Grow(surface, options);
+  EXPECT_GT(layers.report.stoppedColumns, 1);
+  const auto& materials = layers.front.materials;
+  EXPECT_GT(std::count(materials.begin(), materials.end(), MaterialPair{ 1, 2 }), 0);
+  ThreadMonitor monitor(2);
+  VolumeMesh core;
+  const auto filled = MeshCoreTets(layers.front, {}, {}, core, monitor);
+  ASSERT_TRUE(filled) << filled.GetError().message;
+  std::map<int, double> volumes;
+  for (const VolumeMesh* mesh : { &layers.mesh, static_cast<const VolumeMesh*>(&core) })
+  {
+    for (Id c = 0; c < mesh->CellCount(); ++c)
+    {
+      const double volume = CellVolume(*mesh, c);
+      EXPECT_GT(volume, 0);
+      volumes[mesh->materials[static_cast<std::size_t>(c)]] += volume;
+    }
+  }
+  const std::vector<double> expected = MaterialVolumes(surface, { 1, 2 });
+  EXPECT_NEAR(volumes[1], expected[0], 1e-9 * expected[0]);
+  EXPECT_NEAR(volumes[2], expected[1], 1e-9 * expected[1]);
 }
 
 TEST(PrismLayers, TroubledFluids)

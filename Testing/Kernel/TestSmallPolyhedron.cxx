@@ -15,8 +15,6 @@ namespace
 using Face = std::array<int, 3>;
 using Tets = std::vector<std::array<int, 4>>;
 
-constexpr int Steps = 100000;
-
 double VolumeOf(const SmallPolyhedron& polyhedron)
 {
   double volume = 0;
@@ -39,15 +37,27 @@ double VolumeOf(const SmallPolyhedron& polyhedron, const Tets& tets)
   return volume;
 }
 
+double QualityOf(const SmallPolyhedron& polyhedron, const std::array<int, 4>& tet)
+{
+  const auto at = [&](std::size_t k) { return polyhedron.points[static_cast<std::size_t>(tet[k])]; };
+  return TetQuality(at(0), at(1), at(2), at(3));
+}
+
 double LeastOf(const SmallPolyhedron& polyhedron, const Tets& tets)
 {
   double least = 1;
   for (const auto& tet : tets)
   {
-    const auto at = [&](std::size_t k) { return polyhedron.points[static_cast<std::size_t>(tet[k])]; };
-    least = std::min(least, TetQuality(at(0), at(1), at(2), at(3)));
+    least = std::min(least, QualityOf(polyhedron, tet));
   }
   return least;
+}
+
+/// The tets of best 3r/R.
+Tets Fill(const SmallPolyhedron& polyhedron, double& floor, int steps = 100000)
+{
+  return FillPolyhedron(
+    polyhedron, [&](const std::array<int, 4>& tet) { return QualityOf(polyhedron, tet); }, floor, steps);
 }
 
 bool HasEdge(const Tets& tets, int a, int b)
@@ -116,13 +126,13 @@ TEST(SmallPolyhedron, TheBestOfThreeDiagonalsOfAnOctahedron)
       expected = std::max(expected, LeastOf(o, round(o, axis)));
     }
     double floor = 0;
-    const Tets tets = FillPolyhedron(o, TetQuality, floor, Steps);
+    const Tets tets = Fill(o, floor);
     ASSERT_EQ(tets.size(), 4u);
     EXPECT_NEAR(LeastOf(o, tets), expected, 1e-3);
     EXPECT_EQ(LeastOf(o, tets), floor);
     EXPECT_NEAR(VolumeOf(o, tets), VolumeOf(o), 1e-14);
     double beaten = expected;
-    EXPECT_TRUE(FillPolyhedron(o, TetQuality, beaten, Steps).empty());
+    EXPECT_TRUE(Fill(o, beaten).empty());
     EXPECT_EQ(beaten, expected);
   }
 }
@@ -131,10 +141,10 @@ TEST(SmallPolyhedron, EdgesThatAreNotAllowedAreNotMade)
 {
   SmallPolyhedron o = Octahedron(1, 1.2, 1.5);
   double floor = 0;
-  ASSERT_TRUE(HasEdge(FillPolyhedron(o, TetQuality, floor, Steps), 0, 1));
+  ASSERT_TRUE(HasEdge(Fill(o, floor), 0, 1));
   o.allows = [](int a, int b) { return std::min(a, b) != 0 || std::max(a, b) != 1; };
   floor = 0;
-  const Tets tets = FillPolyhedron(o, TetQuality, floor, Steps);
+  const Tets tets = Fill(o, floor);
   ASSERT_EQ(tets.size(), 4u);
   EXPECT_FALSE(HasEdge(tets, 0, 1));
 }
@@ -142,9 +152,9 @@ TEST(SmallPolyhedron, EdgesThatAreNotAllowedAreNotMade)
 TEST(SmallPolyhedron, SomeCannotBeFilled)
 {
   double floor = 0;
-  EXPECT_TRUE(FillPolyhedron(Schoenhardt(0.5), TetQuality, floor, Steps).empty());
+  EXPECT_TRUE(Fill(Schoenhardt(0.5), floor).empty());
   const SmallPolyhedron other = Schoenhardt(-0.5); // its sides bend outwards
-  const Tets tets = FillPolyhedron(other, TetQuality, floor, Steps);
+  const Tets tets = Fill(other, floor);
   ASSERT_FALSE(tets.empty());
   EXPECT_NEAR(VolumeOf(other, tets), VolumeOf(other), 1e-14);
 }
@@ -155,13 +165,13 @@ TEST(SmallPolyhedron, PointsInsideStayUnlessTheyMayGo)
   o.points.push_back({ 0.05, 0.04, 0.8 }); // near a corner, where it spoils much
   o.mayGo.push_back(0);
   double with = 0;
-  const Tets kept = FillPolyhedron(o, TetQuality, with, Steps);
+  const Tets kept = Fill(o, with);
   ASSERT_FALSE(kept.empty());
   EXPECT_TRUE(HasEdge(kept, 6, 4));
   EXPECT_NEAR(VolumeOf(o, kept), VolumeOf(o), 1e-14);
   o.mayGo.back() = 1;
   double without = 0;
-  const Tets tets = FillPolyhedron(o, TetQuality, without, Steps);
+  const Tets tets = Fill(o, without);
   EXPECT_EQ(tets.size(), 4u);
   EXPECT_GT(without, with);
 }
@@ -169,9 +179,9 @@ TEST(SmallPolyhedron, PointsInsideStayUnlessTheyMayGo)
 TEST(SmallPolyhedron, TooFewStepsOrTooManyPointsFindNothing)
 {
   double floor = 0;
-  EXPECT_TRUE(FillPolyhedron(Octahedron(1, 1, 1), TetQuality, floor, 1).empty());
+  EXPECT_TRUE(Fill(Octahedron(1, 1, 1), floor, 1).empty());
   SmallPolyhedron o = Octahedron(1, 1, 1);
   o.points.resize(SmallPolyhedron::MostPoints + 1);
   o.mayGo.resize(o.points.size(), 1);
-  EXPECT_TRUE(FillPolyhedron(o, TetQuality, floor, Steps).empty());
+  EXPECT_TRUE(Fill(o, floor).empty());
 }

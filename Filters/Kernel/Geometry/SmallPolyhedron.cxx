@@ -14,7 +14,7 @@ namespace
 
 using Face = std::array<int, 3>;
 using Tet = std::array<int, 4>;
-using Score = std::function<double(const Vec3&, const Vec3&, const Vec3&, const Vec3&)>;
+using Score = std::function<double(const Tet&)>;
 
 /// The search is over when the next solution could not be better by more than this.
 constexpr double LeastGain = 1e-3;
@@ -102,9 +102,8 @@ private:
     const auto at = [&](int k) -> const Vec3&
     { return this->Given.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])]; };
     const double side = Orientation(at(0), at(1), at(2), at(3));
-    const double score = side > 0   ? this->ScoreOf(at(0), at(1), at(2), at(3))
-                         : side < 0 ? this->ScoreOf(at(1), at(0), at(2), at(3))
-                                    : 0.0;
+    const double score =
+      side > 0 ? this->ScoreOf(t) : (side < 0 ? this->ScoreOf({ { t[1], t[0], t[2], t[3] } }) : 0.0);
     return side < 0 ? -score : score;
   }
 

@@ -64,7 +64,8 @@ struct TriangleComplex
   std::vector<int> sizedMaterials;      ///< the materials of thickness' columns
   std::vector<double>
     thickness; ///< MaterialFeatureSize: points x sizedMaterials, row by row; NaN where not touched
-  std::vector<double> layerHeight;      ///< of the last layer behind the point of a front, a length
+  std::vector<double> layerHeight; ///< of the last layer behind the point of a front, a length
+  std::vector<Vec3> layerSide;     ///< from the layer below to the point of a front; zero: no layer there
   std::vector<double> maximumCurvature; ///< principal curvatures, 1/length (see Sizing/Curvature.h)
   std::vector<double> minimumCurvature;
   std::vector<Vec3> maximumCurvatureDirection; ///< unit

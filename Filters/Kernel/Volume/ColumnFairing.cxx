@@ -21,15 +21,14 @@ constexpr double FirstStep = 0.3; ///< of the smaller of a column's height and i
 constexpr int Halvings = 4;
 constexpr double LeastGain = 1e-3; ///< of quality: less is no improvement
 
-/// Two unit vectors that make a right-handed frame with the unit vector n.
+} // namespace
+
 std::array<Vec3, 2> FrameOf(const Vec3& n)
 {
   const Vec3 axis = std::abs(n.x) < 0.6 ? Vec3{ 1, 0, 0 } : Vec3{ 0, 1, 0 };
   const Vec3 u = Normalized(Cross(n, axis));
   return { { u, Cross(n, u) } };
 }
-
-} // namespace
 
 double ColumnGrowth::WorstOf(Id triangle, double enough) const
 {

@@ -5,8 +5,13 @@
 #include "Columns.h"
 #include "FrontCheck.h"
 
+#include <functional>
+
 namespace lamina
 {
+
+/// Two unit vectors that make a right-handed frame with the unit vector n.
+std::array<Vec3, 2> FrameOf(const Vec3& n);
 
 class ColumnGrowth
 {
@@ -27,8 +32,9 @@ private:
   bool StopPoor(Monitor& watch);
   /// For each triangle whose prisms are not what they must be the column that allows least.
   std::vector<Id> PoorlyStanding() const;
-  /// Fair poor prisms and mend what is not sound then; undone where that costs a column.
-  void Fair(Monitor& watch);
+  /// Change columns (the change tells how many) and mend what is not sound then; undone where that costs a
+  /// column.
+  void Try(const std::function<Id()>& change, Monitor& watch);
   /// Freezes the columns that stopped since or bear poor prisms, and those near them; false if there are
   /// none.
   bool FreezeLost(const Columns& before);
@@ -78,6 +84,13 @@ private:
   /// no more than `atLeast` the rest is not looked at.
   double WorstOf(Id triangle, double enough) const;
   double WorstAround(Id v, double atLeast, double enough) const;
+
+  // Tops moved along the front to where its triangles are best (ColumnSmoothing.cxx).
+  double FrontEnergy(Id v, const Vec3& offset) const;
+  Vec3 FrontStep(Id v, const Vec3& offset, const std::array<Vec3, 2>& frame, double edge) const;
+  bool SmoothTop(Id v);
+  /// Lowers the front's energy near prisms that could be better; returns how often a top moved.
+  Id SmoothFront();
 
   static constexpr int MostRounds = 120;
   /// Fronts should be this much of an edge apart, for the core between them to be well shaped.

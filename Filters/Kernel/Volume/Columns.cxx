@@ -54,13 +54,13 @@ bool ColumnGrowth::Mend(Monitor& watch)
   return false;
 }
 
-void ColumnGrowth::Fair(Monitor& watch)
+void ColumnGrowth::Try(const std::function<Id()>& change, Monitor& watch)
 {
   const Columns before = this->C;
   this->Frozen.assign(this->W.points.size(), 0);
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
-    if (this->FairColumns(FairQuality) == 0)
+    if (change() == 0)
     {
       return;
     }
@@ -174,7 +174,8 @@ Result<Columns> ColumnGrowth::Run()
   if (sound && this->Options.cells == ColumnCells::Prisms)
   {
     SubMonitor fairing(this->Watch, 0.8, 1);
-    this->Fair(fairing);
+    this->Try([this]() { return this->FairColumns(FairQuality); }, fairing);
+    this->Try([this]() { return this->SmoothFront(); }, fairing);
   }
   if (this->Watch.Cancelled())
   {

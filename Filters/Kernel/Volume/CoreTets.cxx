@@ -4,6 +4,7 @@
 #include "../Geometry/Quality.h"
 #include "CoreTetsFill.h"
 #include "CoreTetsInput.h"
+#include "FrontCells.h"
 #include "GradedPoints.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace
 using Tet = std::array<Id, 4>;
 
 constexpr double QualityGate = 0.1;
+constexpr double ShapeFirst = 0.16; ///< tets below need not fit the prisms behind
 
 std::size_t Index(Id id)
 {
@@ -64,6 +66,26 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
   report.aboveGate = report.tets > 0 ? (report.aboveGate - 1) / static_cast<double>(report.tets) : 1;
 }
 
+/// Betters the tets, with an eye on the prisms behind the surface if there are some.
+void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
+{
+  const FrontCells behind(surface);
+  ImproveTetsOptions options;
+  if (!surface.layerSide.empty())
+  {
+    set.front = &behind;
+    options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
+  }
+  ImproveTets(set, options, monitor);
+  if (set.front != nullptr)
+  {
+    // What is near the gate still is bettered whatever becomes of the fit.
+    set.front = nullptr;
+    options.target = options.pointsBelow = ShapeFirst;
+    ImproveTets(set, options, monitor);
+  }
+}
+
 Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec3>& interior,
                            const CoreTetsOptions& options, VolumeMesh& mesh, Monitor& monitor,
                            CoreTetsReport& report)
@@ -84,7 +106,7 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
   set.fixed.assign(set.points.size(), 0);
   std::fill_n(set.fixed.begin(), surface.points.size(), 1);
   SubMonitor improving(monitor, 0.85, 1);
-  ImproveTets(set, ImproveTetsOptions{}, improving);
+  Improve(surface, set, improving);
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -74,6 +74,7 @@ bool Close(const Wall& wall, const WallCap& cap, TriangleComplex& front)
       pointOf.push_back(static_cast<Id>(front.points.size()));
       front.points.push_back(frame.ToSpace(places[pointOf.size() - 1]));
       front.layerHeight.push_back(0);
+      front.layerSide.push_back({});
     }
     for (const Triangle& c : triangles)
     {

@@ -3,9 +3,12 @@
 
 #include "../Geometry/Predicates.h"
 #include "../Geometry/Quality.h"
+#include "FrontCells.h"
 #include "TetCavity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace lamina
 {
@@ -17,6 +20,9 @@ using Tet = std::array<Id, 4>;
 constexpr Id Grain = 16384;
 constexpr std::size_t CancelEvery = 256;
 constexpr double LittleGain = 0.02;
+/// Tets below are tried again and again, as what is round them may have changed.
+constexpr double NeverHopeless = 0.17;
+constexpr double SameQuality = 1e-3;
 
 std::size_t Index(Id id)
 {
@@ -32,8 +38,7 @@ std::vector<double> Qualities(const TetSet& set, Monitor& monitor)
                 for (Id t = begin; t < end; ++t)
                 {
                   const Tet& c = set.tets[Index(t)];
-                  qualities[Index(t)] = ShapeOfTet(set.points[Index(c[0])], set.points[Index(c[1])],
-                                                   set.points[Index(c[2])], set.points[Index(c[3])]);
+                  qualities[Index(t)] = WorthOfTet(set, c);
                 }
               });
   return qualities;
@@ -95,9 +100,13 @@ struct Limits
   double layers = 0;
 };
 
+/// Tets on which putting in and taking out points has failed, and how good they were then.
+using Hopeless = std::map<Tet, double>;
+
 /// The first operation that betters the tet, the cheapest first. Points are put in or taken out where moves
 /// gain little.
-void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, ImproveTetsReport& report)
+void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, Hopeless& hopeless,
+            ImproveTetsReport& report)
 {
   const auto quality = [&]() { return cavity.Quality(set.tets[Index(tet)]); };
   const double before = quality();
@@ -105,13 +114,22 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, 
   if (done == TetCavity::Done::Nothing)
   {
     report.pointsMoved += cavity.MovePoints(tet);
-    if (quality() < std::min(limits.points, before + LittleGain))
+    const double now = quality();
+    const Tet own = set.tets[Index(tet)];
+    const auto failed = set.front != nullptr ? hopeless.find(own) : hopeless.end();
+    const bool isHopeless =
+      now > NeverHopeless && failed != hopeless.end() && std::abs(failed->second - now) < SameQuality;
+    if (now < std::min(limits.points, before + LittleGain) && !isHopeless)
     {
       done = cavity.Refill(tet);
       done = done == TetCavity::Done::Nothing
-               ? cavity.Collapse(tet, quality() < limits.layers, report.takenFromLayers)
+               ? cavity.Collapse(tet, now < limits.layers, report.takenFromLayers)
                : done;
       done = done == TetCavity::Done::Nothing ? cavity.Insert(tet) : done;
+      if (set.front != nullptr && done == TetCavity::Done::Nothing)
+      {
+        hopeless[own] = now;
+      }
     }
   }
   Note(done, report);
@@ -119,7 +137,7 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, 
 
 /// One pass over the bad tets; false if nothing could be done.
 bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, const std::vector<Id>& bad,
-          ImproveTetsReport& report, Monitor& monitor)
+          Hopeless& hopeless, ImproveTetsReport& report, Monitor& monitor)
 {
   TetCavity cavity(set, bad);
   const Id before = CountOf(report);
@@ -134,7 +152,7 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, 
     const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
     if (quality < options.target)
     {
-      Better(cavity, set, bad[i], limits, report);
+      Better(cavity, set, bad[i], limits, hopeless, report);
     }
   }
   Compact(set);
@@ -149,12 +167,13 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
   set.groups.resize(set.tets.size(), 0);
   set.fixed.resize(set.points.size(), 0);
   auto bad = FindBad(set, options.target, monitor);
+  Hopeless hopeless;
   for (int round = 0; round < options.rounds && !bad.empty() && !monitor.Cancelled(); ++round)
   {
     monitor.Progress(round / static_cast<double>(options.rounds), "Improving the worst tetrahedra");
     const bool isLate = round >= options.rounds * 2 / 3;
     const Limits limits{ options.pointsBelow, isLate ? options.layersBelow : 0 };
-    const bool hasMoved = Pass(set, options, limits, bad, report, monitor);
+    const bool hasMoved = Pass(set, options, limits, bad, hopeless, report, monitor);
     bad = FindBad(set, options.target, monitor);
     if (!hasMoved && isLate)
     {

@@ -8,6 +8,8 @@
 namespace lamina
 {
 
+class FrontCells;
+
 /// Positive tets in VTK's order and what must not change about them.
 struct TetSet
 {
@@ -17,6 +19,9 @@ struct TetSet
   std::vector<char> fixed; ///< one a point: not 0 if it must not move; empty: all may move
   std::vector<int> layerIndex; ///< one a point: no edge is made between layers that differ by more than 1; -1
                                ///< free; empty: no such bound
+  /// The prisms behind the faces of a front, with which the tets on it should go well (FrontCells.h); null:
+  /// none. Their faces must not change.
+  const FrontCells* front = nullptr;
 };
 
 struct ImproveTetsOptions
@@ -44,14 +49,15 @@ struct ImproveTetsReport
 };
 
 /// Each operation raises the least shape of the tets it replaces: 3r/R, or the least sine of a dihedral angle
-/// if that is the greater lack (8 degrees, or 172, count as 3r/R of 0.2). Worst first, the same on any
-/// machine and with any number of threads. The boundary, the groups' interfaces and the volume they enclose
-/// stay as they are. Points of layers are drawn into others of their layer only, but for the last rounds.
-/// After L. A. Freitag, C. Ollivier-Gooch: Tetrahedral mesh improvement using swapping and smoothing,
-/// International Journal for Numerical Methods in Engineering 40 (1997), and, for points put in, B. M.
-/// Klingner, J. R. Shewchuk: Aggressive tetrahedral mesh improvement, 16th International Meshing Roundtable
-/// (2007), and, for small cavities filled anew, C. Marot, K. Verhetsel, J.-F. Remacle: Reviving the search for
-/// optimal tetrahedralizations, 28th International Meshing Roundtable (2020). Stops early, with a sound mesh, when cancelled.
+/// if that is the greater lack (8 degrees, or 172, count as 3r/R of 0.2), or their fit to the prisms behind.
+/// Worst first, the same on any machine and with any number of threads. The boundary, the groups' interfaces
+/// and the volume they enclose stay as they are. Points of layers are drawn into others of their layer only,
+/// but for the last rounds. After L. A. Freitag, C. Ollivier-Gooch: Tetrahedral mesh improvement using
+/// swapping and smoothing, International Journal for Numerical Methods in Engineering 40 (1997); for points
+/// put in, B. M. Klingner, J. R. Shewchuk: Aggressive tetrahedral mesh improvement, 16th International
+/// Meshing Roundtable (2007); for cavities filled anew, C. Marot, K. Verhetsel, J.-F. Remacle: Reviving the
+/// search for optimal tetrahedralizations, 28th International Meshing Roundtable (2020). Stops early, with a
+/// sound mesh, when cancelled.
 ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Monitor& monitor);
 
 } // namespace lamina

@@ -191,6 +191,7 @@ TriangleComplex FrontOf(const Wall& wall, const Columns& columns)
     front.points.push_back(columns.Place(wall, static_cast<Id>(v), columns.layers));
     const double last = columns.layers > 0 ? 1 - columns.fraction[U(columns.layers - 1)] : 0;
     front.layerHeight.push_back(last * columns.height[v]);
+    front.layerSide.push_back(front.layerHeight.back() * columns.direction[v]);
   }
   for (const Triangle& t : wall.triangles)
   {

@@ -86,6 +86,7 @@ std::optional<Error> Solid::FillCore(const Wall& wall, const Columns& columns,
                                      const std::vector<Id>& frontIds, Monitor& monitor)
 {
   TriangleComplex front = FrontOf(wall, columns);
+  front.layerSide.clear();
   front.layerHeight.clear(); // the middle points and the layers' own number say how high the core's tets are
   std::vector<Vec3> middle;
   if (this->Options.layers % 2 == 0)

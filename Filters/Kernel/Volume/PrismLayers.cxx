@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -98,17 +99,63 @@ std::optional<Error> CheckWalls(const TriangleComplex& surface, const std::vecto
   return std::nullopt;
 }
 
-void Append(const TriangleComplex& part, TriangleComplex& whole)
+/// Joins the fronts of the fluids. Where columns on both sides of a point of the surface have stopped, the
+/// fronts share it, and triangles that stand on such points alone part the two fluids.
+class JoinedFront
 {
-  const Id shift = static_cast<Id>(whole.points.size());
-  whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
-  for (const Triangle& t : part.triangles)
+public:
+  explicit JoinedFront(TriangleComplex& front)
+    : Front(front)
   {
-    whole.triangles.push_back({ t[0] + shift, t[1] + shift, t[2] + shift });
   }
-  whole.layerHeight.insert(whole.layerHeight.end(), part.layerHeight.begin(), part.layerHeight.end());
-  whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
-}
+
+  void Add(const Wall& wall, const Columns& columns, const TriangleComplex& part)
+  {
+    std::vector<Id> idOf(part.points.size());
+    for (std::size_t v = 0; v < part.points.size(); ++v)
+    {
+      const bool isStopped = v < columns.height.size() && columns.height[v] == 0;
+      const Id next = static_cast<Id>(this->Front.points.size());
+      idOf[v] = isStopped ? this->Stopped.emplace(wall.surfacePoints[v], next).first->second : next;
+      if (idOf[v] == next)
+      {
+        this->Front.points.push_back(part.points[v]);
+        this->Front.layerHeight.push_back(part.layerHeight[v]);
+        this->Front.layerSide.push_back(part.layerSide[v]);
+      }
+    }
+    for (std::size_t t = 0; t < part.triangles.size(); ++t)
+    {
+      const Triangle& c = part.triangles[t];
+      this->Add({ idOf[static_cast<std::size_t>(c[0])], idOf[static_cast<std::size_t>(c[1])],
+                  idOf[static_cast<std::size_t>(c[2])] },
+                part.materials[t].first, part.layerSide, c);
+    }
+  }
+
+private:
+  void Add(const Triangle& corners, int material, const std::vector<Vec3>& sides, const Triangle& own)
+  {
+    const bool isWall =
+      std::all_of(own.begin(), own.end(), [&](Id v) { return sides[static_cast<std::size_t>(v)] == Vec3{}; });
+    Triangle key = corners;
+    std::sort(key.begin(), key.end());
+    const Id next = static_cast<Id>(this->Front.triangles.size());
+    const Id there = isWall ? this->OnWall.emplace(key, next).first->second : next;
+    if (there == next)
+    {
+      this->Front.triangles.push_back(corners);
+      this->Front.materials.push_back({ material, 0 });
+      return;
+    }
+    // Fluids come in ascending order, and the first one's triangle looks out of it.
+    this->Front.materials[static_cast<std::size_t>(there)].second = material;
+  }
+
+  TriangleComplex& Front;
+  std::map<Id, Id> Stopped;      ///< point of the surface to that of the front
+  std::map<Triangle, Id> OnWall; ///< by sorted corners
+};
 
 struct GrownWall
 {
@@ -183,6 +230,7 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
     return *error;
   }
   LayerMesh layers(surface, mesh);
+  JoinedFront joined(front);
   report.leastQuality = 1;
   for (std::size_t m = 0; m < materials->size(); ++m)
   {
@@ -196,7 +244,7 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
     const auto& [wall, columns, ownFront] = *grown;
     layers.Add(wall, columns, ColumnCells::Prisms, report);
     LayerMesh::Mark(wall, columns, onSurface, report);
-    Append(ownFront, front);
+    joined.Add(wall, columns, ownFront);
     std::array<ColumnCell, 3> cells;
     for (Id t = 0; t < static_cast<Id>(wall.triangles.size()); ++t)
     {

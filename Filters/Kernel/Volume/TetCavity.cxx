@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetCavity.h"
 
+#include "FrontCells.h"
+
 #include "../Geometry/Predicates.h"
 #include "../Geometry/Quality.h"
 #include "../Mesh/TetFaces.h"
@@ -32,6 +34,13 @@ double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
   constexpr double sineWeight = 1.44;
   return std::min(TetQuality(a, b, c, d), sineWeight * TetLeastSine(a, b, c, d));
+}
+
+double WorthOfTet(const TetSet& set, const std::array<Id, 4>& c)
+{
+  const auto& p = set.points;
+  const double shape = ShapeOfTet(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
+  return set.front == nullptr || !(shape > 0) ? shape : std::min(shape, set.front->FitOf(c, p));
 }
 
 TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
@@ -73,8 +82,7 @@ const std::vector<Id>& TetCavity::TetsOf(Id point) const
 
 double TetCavity::Quality(const Tet& c) const
 {
-  const auto& p = this->Set.points;
-  return ShapeOfTet(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
+  return WorthOfTet(this->Set, c);
 }
 
 double TetCavity::LeastOf(const std::vector<Id>& tets) const

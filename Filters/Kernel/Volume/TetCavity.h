@@ -13,6 +13,9 @@ namespace lamina
 /// that makes 8 degrees count as much as 3r/R of 0.2.
 double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// The same, and its fit to the prisms behind.
+double WorthOfTet(const TetSet& set, const std::array<Id, 4>& tet);
+
 /// From `start` uphill to where the score is best near it, with steps of `step` at first; score() is never
 /// called last with the answer.
 Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score);
@@ -36,7 +39,7 @@ public:
   /// Only the points of the tets `around` get their tets known.
   TetCavity(TetSet& set, const std::vector<Id>& around);
 
-  /// 3r/R, or what the sharpest or flattest dihedral angle allows if that is less: see ShapeOfTet().
+  /// See WorthOfTet().
   double Quality(const Tet& tet) const;
   /// The best of removing one of the tet's edges or flipping one of its faces, if that raises the least
   /// quality.
@@ -65,6 +68,8 @@ private:
   /// The faces of a set of tets towards the rest, counter-clockwise seen from outside.
   struct Shell;
   bool FindCavity(Id tet, const Vec3& place, Shell& shell) const;
+  /// Of the tet that joins a shell's face to a new point.
+  double QualityFrom(const Triangle& face, const Vec3& place) const;
   bool KeepsPoints(const Shell& shell) const;
   Id Next(const Shell& shell, const std::vector<Id>& points) const;
   Change Filled(const Shell& shell, const std::vector<Id>& points) const;

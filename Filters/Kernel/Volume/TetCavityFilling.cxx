@@ -78,12 +78,14 @@ TetCavity::Change TetCavity::Filled(const Shell& shell, const std::vector<Id>& p
   { return this->Allows(points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)]); };
   Change change;
   change.quality = this->LeastOf(shell.tets) + LeastGain;
-  const auto tets = FillPolyhedron(polyhedron, ShapeOfTet, change.quality, Steps);
-  for (const auto& tet : tets)
+  const auto tetOf = [&](const std::array<int, 4>& c)
   {
-    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(tet[k])]; };
-    change.in.push_back({ { at(0), at(1), at(2), at(3) } });
-  }
+    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(c[k])]; };
+    return Tet{ { at(0), at(1), at(2), at(3) } };
+  };
+  const auto tets = FillPolyhedron(
+    polyhedron, [&](const std::array<int, 4>& c) { return this->Quality(tetOf(c)); }, change.quality, Steps);
+  std::transform(tets.begin(), tets.end(), std::back_inserter(change.in), tetOf);
   change.kind = tets.empty() ? Done::Nothing : Done::CavityFilled;
   change.out = shell.tets;
   return change;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points put in and taken out; reconnections are in TetCavity.cxx, moves in TetCavityPoints.cxx.
+#include "FrontCells.h"
 #include "TetCavityShell.h"
 
 #include "../Geometry/Predicates.h"
@@ -57,7 +58,6 @@ Id TetCavity::Across(const Triangle& face, Id tet) const
 /// all faces see it best. False if that is no better than the tet.
 bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& best) const
 {
-  const auto& p = this->Set.points;
   Shell shell;
   shell.Add(tet, this->Set.tets[Index(tet)]);
   double highest = this->Quality(this->Set.tets[Index(tet)]) + LeastGain;
@@ -71,7 +71,7 @@ bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& best) const
     for (std::size_t f = 0; f < shell.faces.size(); ++f)
     {
       const Triangle& c = shell.faces[f];
-      const double quality = ShapeOfTet(p[Index(c[0])], p[Index(c[2])], p[Index(c[1])], place);
+      const double quality = this->QualityFrom(c, place);
       least = std::min(least, quality);
       if (quality < leastOfOpen && std::find(ends.begin(), ends.end(), c) == ends.end())
       {
@@ -98,6 +98,15 @@ bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& best) const
     shell.Add(next, this->Set.tets[Index(next)]);
   }
   return isFound;
+}
+
+double TetCavity::QualityFrom(const Triangle& face, const Vec3& place) const
+{
+  const auto& p = this->Set.points;
+  const double shape = ShapeOfTet(p[Index(face[0])], p[Index(face[2])], p[Index(face[1])], place);
+  return this->Set.front == nullptr || !(shape > 0)
+           ? shape
+           : std::min(shape, this->Set.front->FitOver(face, p, place));
 }
 
 /// Every point of the tets must stay on the shell, or it would be lost.
@@ -160,7 +169,7 @@ TetCavity::Done TetCavity::Insert(Id tet)
       double least = std::numeric_limits<double>::infinity();
       for (const Triangle& f : shell.faces)
       {
-        least = std::min(least, ShapeOfTet(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], place));
+        least = std::min(least, this->QualityFrom(f, place));
       }
       return least;
     };
