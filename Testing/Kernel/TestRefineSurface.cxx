@@ -104,6 +104,10 @@ RefineSurfaceReport RefineAndCheck(TriangleComplex& surface, const std::string& 
   }
   EXPECT_GE(report->edgesInRange, 0.99) << what;
   EXPECT_EQ(report->triangles, static_cast<Id>(surface.triangles.size())) << what;
+  // Every split adds a point and every merge takes one, whatever they were for.
+  EXPECT_EQ(static_cast<Id>(surface.points.size()) - static_cast<Id>(before.points.size()),
+            report->splits - report->merges)
+    << what;
   return *report;
 }
 

@@ -14,6 +14,14 @@ namespace lamina
 /// The triangles at an edge: two, or as many as sheets meet there.
 using EdgeTriangles = ShortList<Id, 6>;
 
+/// How many edits were done, of whatever purpose.
+struct EditCounts
+{
+  Id splits = 0;
+  Id merges = 0;
+  Id swaps = 0;
+};
+
 class EditableSurface
 {
 public:
@@ -37,6 +45,7 @@ public:
              : std::sqrt(StretchedLength2(edge, this->Stretches[static_cast<std::size_t>(a)],
                                           this->Stretches[static_cast<std::size_t>(b)]));
   }
+  const EditCounts& Counts() const { return this->Done; }
   /// Length over the stricter target of the two ends.
   double RelativeLength(Id a, Id b) const
   {
@@ -174,6 +183,7 @@ private:
   std::vector<Id> Relaxed;   ///< the clock when a point was last tried to relax in vain
   InputSamples Samples;      ///< points of the input on the triangles nearest to them
   Id Changes = 0;
+  EditCounts Done;
   mutable std::vector<Box> Boxes; ///< of what an edit adds, kept for its memory
   std::vector<Id> NewIds;         ///< of the triangles that an edit adds
   Edit Work;                      ///< the edit in hand, kept for its memory

@@ -31,6 +31,7 @@ bool SeesAll(const TriangleComplex& surface, const ListRow& triangles)
       }
       done.push_back(material);
       normals.clear();
+      Vec3 sum;
       for (Id t : triangles)
       {
         const auto v = static_cast<std::size_t>(t);
@@ -38,9 +39,13 @@ bool SeesAll(const TriangleComplex& surface, const ListRow& triangles)
         if (side != 0)
         {
           normals.push_back(side * Normalized(AreaVector2(surface.points, surface.triangles[v])));
+          sum += normals.back();
         }
       }
-      if (FindVisibleDirection(normals).leastCosine < leastCosine)
+      const Vec3 mean = Normalized(sum); // most often it will do
+      const bool seen = std::all_of(normals.begin(), normals.end(),
+                                    [&](const Vec3& n) { return Dot(mean, n) >= leastCosine; });
+      if (!seen && FindVisibleDirection(normals).leastCosine < leastCosine)
       {
         return false;
       }
@@ -157,13 +162,10 @@ private:
 
 } // namespace
 
-void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
-                     RefineSurfaceReport& report, Monitor& monitor)
+std::vector<char> HiddenFlags(const TriangleComplex& surface, const Lists& star, Monitor& monitor)
 {
-  const auto count = static_cast<Id>(surface.points.size());
-  const Lists star = TrianglesOfPoints(count, surface.triangles);
   std::vector<char> hidden(surface.points.size(), 0);
-  monitor.For(count, 4096,
+  monitor.For(static_cast<Id>(hidden.size()), 4096,
               [&](Id begin, Id end)
               {
                 for (Id p = begin; p < end; ++p)
@@ -171,6 +173,15 @@ void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, c
                   hidden[static_cast<std::size_t>(p)] = SeesAll(surface, Row(star, p)) ? 0 : 1;
                 }
               });
+  return hidden;
+}
+
+void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
+                     RefineSurfaceReport& report, Monitor& monitor)
+{
+  const auto count = static_cast<Id>(surface.points.size());
+  const Lists star = TrianglesOfPoints(count, surface.triangles);
+  const std::vector<char> hidden = HiddenFlags(surface, star, monitor);
   for (Id p = 0; p < count; ++p)
   {
     if (hidden[static_cast<std::size_t>(p)])

@@ -21,4 +21,8 @@ namespace lamina
 void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
                      RefineSurfaceReport& report, Monitor& monitor);
 
+/// Per point 1 if for some material no direction sees all its faces there, else 0. `star`: the triangles of
+/// the points.
+std::vector<char> HiddenFlags(const TriangleComplex& surface, const Lists& star, Monitor& monitor);
+
 } // namespace lamina

@@ -4,6 +4,7 @@
 #include "../Mesh/Closedness.h"
 #include "../Search/SelfIntersection.h"
 #include "HiddenNodes.h"
+#include "RefinedVolumes.h"
 #include "Refinement.h"
 #include "RefinementResult.h"
 
@@ -124,18 +125,18 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   for (int i = 0; i < options.iterations; ++i)
   {
     monitor.Progress(static_cast<double>(i) / (options.iterations + 1), "refining");
-    if (!refinement.Iterate(report))
+    if (!refinement.Iterate())
     {
       return Cancelled();
     }
   }
-  refinement.MendShapes(report);
+  refinement.MendShapes();
   refinement.UncoverNodes(true);
-  refinement.MendShapes(report);
+  refinement.MendShapes();
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;
   editable.Write(refined, monitor);
-  RestoreWithoutIntersections(refined, editable.WrittenSheets(), targets, monitor);
+  RestoreRefinedVolumes(refined, editable.WrittenSheets(), targets, input, monitor);
   if (monitor.Cancelled())
   {
     return Cancelled();
@@ -147,6 +148,9 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     report.largestVolumeChange =
       std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
+  report.splits = editable.Counts().splits;
+  report.merges = editable.Counts().merges;
+  report.swaps = editable.Counts().swaps;
   MeasureRefined(surface, editable.WrittenStretches(), report);
   FindHiddenNodes(surface, editable.WrittenSheets(), input, report, monitor);
   monitor.Progress(1, "refined");

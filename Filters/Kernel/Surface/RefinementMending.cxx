@@ -93,7 +93,7 @@ bool Refinement::SplitBeside(Id p)
 }
 
 /// Bad triangles that the rounds left: merge away their shortest edge or move a corner.
-void Refinement::MendShapes(RefineSurfaceReport& report)
+void Refinement::MendShapes()
 {
   constexpr double good = 0.4;
   constexpr int mostMoves = 10;
@@ -128,12 +128,15 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
           shortest = k;
         }
       }
-      const bool merged = this->Surface.Merge(c[shortest], c[(shortest + 1) % 3], true) ||
-                          this->Surface.Merge(c[(shortest + 1) % 3], c[(shortest + 2) % 3], true) ||
-                          this->Surface.Merge(c[(shortest + 2) % 3], c[shortest], true);
-      report.merges += merged ? 1 : 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (this->Surface.Merge(c[(shortest + k) % 3], c[(shortest + k + 1) % 3], true))
+        {
+          break;
+        }
+      }
     }
-    this->SwapAll(report);
+    this->SwapAll();
     for (const auto& item : bad)
     {
       if (!this->Surface.IsAlive(item.second))
