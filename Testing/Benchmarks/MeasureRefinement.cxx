@@ -3,8 +3,8 @@
 //
 // FILE: .labels or .surface, as WriteRefinementInputs.py makes them, or .sized, which save=FILE.sized writes
 // just before refinement. NAME: threads, iterations, tolerance, layers, minimum, maximum, uniform (one target
-// for all, a length), verbose.
-#include "RefinementMeasures.h"
+// for all, a length), verbose. The exit code is 2 if a promise is broken.
+#include "RefinementGates.h"
 #include "SizedSurfaces.h"
 
 #include <chrono>
@@ -67,9 +67,16 @@ int main(int argc, char** argv)
               100 * report->edgesInRange, 100 * report->goodTriangles, report->leastQuality);
   std::printf("  splits %lld, merges %lld, swaps %lld; hidden nodes %lld, of which the input forbids %lld\n",
               report->splits, report->merges, report->swaps, report->hiddenNodes, report->forbiddenNodes);
-  if (arguments.Get("measure", 1) > 0)
+  if (arguments.Get("measure", 1) == 0)
   {
-    measures::Print(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+    return 0;
   }
-  return 0;
+  const measures::RefinementFigures figures =
+    measures::Measure(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+  const std::vector<std::string> broken = measures::BrokenPromises(figures, *report);
+  for (const std::string& promise : broken)
+  {
+    std::printf("  BROKEN: %s\n", promise.c_str());
+  }
+  return broken.empty() ? 0 : 2;
 }

@@ -71,9 +71,12 @@ public:
   bool Swap(Id a, Id b);
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
-  /// Move a point of a sheet anywhere near, without a change of volume, that betters the worst of its
-  /// triangles.
+  /// Move a point of a sheet anywhere near without a change of volume, or one of a curve along it, where that
+  /// betters the worst of its triangles.
   bool Reshape(Id p);
+  /// Bisect the longest edge of a flat triangle if the halves of all triangles there are much better than the
+  /// worst of these.
+  bool SplitFlat(Id triangle);
 
   /// Where no direction sees all faces of p well (cosine below 0.5), one edit that betters this: a move,
   /// merge or swap. Here faces may turn.
@@ -129,6 +132,7 @@ private:
   void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
   bool TryAround(Id p, double length, double leastQuality, bool along);
+  bool TryAlongCurve(Id p, double length, double leastQuality);
   Vec3 VolumeGradient(Id p) const;
   double WorstQuality(Id p) const;
   bool HasChanged(Id p) const;

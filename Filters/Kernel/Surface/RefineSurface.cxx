@@ -118,6 +118,10 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   }
   const std::vector<double> before = MaterialVolumes(surface, materials);
   const InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
@@ -133,6 +137,10 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   refinement.MendShapes();
   refinement.UncoverNodes(true);
   refinement.MendShapes();
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   monitor.Progress(0.95, "restoring volumes");
   TriangleComplex refined;
   editable.Write(refined, monitor);
@@ -141,8 +149,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   {
     return Cancelled();
   }
-  surface = std::move(refined);
-  const std::vector<double> after = MaterialVolumes(surface, materials);
+  const std::vector<double> after = MaterialVolumes(refined, materials);
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
     report.largestVolumeChange =
@@ -151,8 +158,13 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   report.splits = editable.Counts().splits;
   report.merges = editable.Counts().merges;
   report.swaps = editable.Counts().swaps;
-  MeasureRefined(surface, editable.WrittenStretches(), report);
-  FindHiddenNodes(surface, editable.WrittenSheets(), input, report, monitor);
+  MeasureRefined(refined, editable.WrittenStretches(), report);
+  FindHiddenNodes(refined, editable.WrittenSheets(), input, report, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  surface = std::move(refined);
   monitor.Progress(1, "refined");
   return report;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinedVolumes.h"
 
+#include "../Geometry/Quality.h"
 #include "../Search/SelfIntersection.h"
 #include "FarPlaces.h"
 #include "HiddenNodes.h"
@@ -20,7 +21,9 @@ constexpr double safeReach = 0.2;  ///< what edits leave
 constexpr double widestReach = 1;  ///< in shells that need more: not every place is at its limit
 constexpr double leastReach = 0.1; ///< less than this is not worth another round
 constexpr int mostRounds = 12;
-constexpr double held = 1e-9; ///< of a volume
+constexpr double held = 1e-9;       ///< of a volume
+constexpr double goodQuality = 0.4; ///< of a triangle; a worse one may lose a little
+constexpr double keptQuality = 0.95;
 
 class Restorer
 {
@@ -175,6 +178,14 @@ private:
         faults.insert(faults.end(), row.begin(), row.end());
       }
     }
+    for (Id t = 0; t < static_cast<Id>(this->Surface.triangles.size()); ++t)
+    {
+      const double now = this->QualityOf(t, this->Surface.points);
+      if (now < goodQuality && now < keptQuality * this->QualityOf(t, this->Start))
+      {
+        faults.push_back(t);
+      }
+    }
     const auto hasStayed = [&](Id t)
     {
       const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
@@ -183,6 +194,13 @@ private:
     };
     faults.erase(std::remove_if(faults.begin(), faults.end(), hasStayed), faults.end());
     return faults;
+  }
+
+  double QualityOf(Id t, const std::vector<Vec3>& points) const
+  {
+    const Triangle& c = this->Surface.triangles[static_cast<std::size_t>(t)];
+    return TriangleQuality(points[static_cast<std::size_t>(c[0])], points[static_cast<std::size_t>(c[1])],
+                           points[static_cast<std::size_t>(c[2])]);
   }
 
   /// Points around faults may go half as far, in the end nowhere.

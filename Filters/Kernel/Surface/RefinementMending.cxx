@@ -22,7 +22,7 @@ void Refinement::UncoverNodes(bool maySplit)
   {
     candidates.push_back(p);
   }
-  for (int round = 0; round < mostRounds && !candidates.empty(); ++round)
+  for (int round = 0; round < mostRounds && !candidates.empty() && !this->Watch.Cancelled(); ++round)
   {
     std::vector<std::pair<double, Id>> hidden;
     for (Id p : candidates)
@@ -97,7 +97,8 @@ void Refinement::MendShapes()
 {
   constexpr double good = 0.4;
   constexpr int mostMoves = 10;
-  for (int round = 0; round < 4; ++round)
+  constexpr int splitFrom = 2; // rounds, when all else was tried
+  for (int round = 0; round < 5; ++round)
   {
     std::vector<std::pair<double, Id>> bad;
     for (Id t = 0; t < this->Surface.TriangleCount(); ++t)
@@ -153,6 +154,10 @@ void Refinement::MendShapes()
             break;
           }
         }
+      }
+      if (round >= splitFrom && this->Surface.Quality(item.second) < good)
+      {
+        this->Surface.SplitFlat(item.second);
       }
     }
   }
