@@ -50,6 +50,6 @@ TEST(LongRefineRandom, FiftyImages)
   for (unsigned seed = 100; seed < 150; ++seed)
   {
     ExpectRefined(12 + static_cast<Id>(seed * 7 % 13), 2 + static_cast<int>(seed % 5), seed,
-                  static_cast<int>(seed % 3));
+                  1 + static_cast<int>(seed % 3));
   }
 }
