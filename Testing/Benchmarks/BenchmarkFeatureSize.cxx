@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long the feature size takes, stage by stage: BenchmarkFeatureSize [THREADS [EDGE]]. The surface is a
 // tree of shells: bumpy tori of tissue around tori of blood, about a million triangles with the default edge.
+#include "GapMonitor.h"
 #include "Shapes.h"
 #include "Sizing/Curvature.h"
 #include "Sizing/FeatureSize.h"
@@ -16,12 +17,13 @@ namespace
 {
 
 /// Says when each stage begins: wall clock and processor time since the start.
-class TellingMonitor : public ThreadMonitor
+class TellingMonitor : public GapMonitor
 {
 public:
-  using ThreadMonitor::ThreadMonitor;
-  void Progress(double, const char* what) override
+  using GapMonitor::GapMonitor;
+  void Progress(double part, const char* what) override
   {
+    this->GapMonitor::Progress(part, what);
     using Clock = std::chrono::steady_clock;
     const double wall = std::chrono::duration<double>(Clock::now() - this->Start).count();
     const double user = static_cast<double>(std::clock() - this->Used) / CLOCKS_PER_SEC;
@@ -57,6 +59,8 @@ int main(int argc, char** argv)
     std::printf("%s\n", report.GetError().message.c_str());
     return 1;
   }
+  std::printf("longest without a question whether to stop: %.2f s of processors (%s)\n", monitor.Longest(),
+              monitor.Where().c_str());
   std::printf("sizes from %g to %g, %lld points curved\n", report->leastSize, report->largestSize,
               report->curved);
   return 0;

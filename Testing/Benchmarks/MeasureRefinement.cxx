@@ -3,8 +3,9 @@
 //
 // FILE: .labels or .surface, as WriteRefinementInputs.py makes them, or .sized, which save=FILE.sized writes
 // just before refinement. NAME: threads, iterations, tolerance, layers, minimum, maximum, uniform (one target
-// for all, a length), verbose.
-#include "RefinementMeasures.h"
+// for all, a length), verbose. The exit code is 2 if a promise is broken.
+#include "GapMonitor.h"
+#include "RefinementGates.h"
 #include "SizedSurfaces.h"
 
 #include <chrono>
@@ -47,7 +48,8 @@ int main(int argc, char** argv)
   options.tolerance = arguments.Get("tolerance", 0);
   const std::clock_t clock = std::clock();
   const auto begin = std::chrono::steady_clock::now();
-  const auto report = RefineSurface(surface, options, monitor);
+  GapMonitor asked(static_cast<int>(arguments.Get("threads", 2)));
+  const auto report = RefineSurface(surface, options, asked);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double used = static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC;
   measures::Demand(report, "refine");
@@ -56,6 +58,8 @@ int main(int argc, char** argv)
   std::printf("%s: %zu -> %zu triangles, %.1f s (%.1f s of processors), %.2f GiB\n", path.c_str(),
               input.triangles.size(), surface.triangles.size(), seconds, used,
               static_cast<double>(memory.ru_maxrss) / (1 << 20));
+  std::printf("  longest without a question whether to stop: %.2f s of processors (%s)\n", asked.Longest(),
+              asked.Where().c_str());
   TriangleComplex even = input;
   even.targetEdgeLength.assign(
     input.points.size(), *std::min_element(input.targetEdgeLength.begin(), input.targetEdgeLength.end()));
@@ -67,9 +71,16 @@ int main(int argc, char** argv)
               100 * report->edgesInRange, 100 * report->goodTriangles, report->leastQuality);
   std::printf("  splits %lld, merges %lld, swaps %lld; hidden nodes %lld, of which the input forbids %lld\n",
               report->splits, report->merges, report->swaps, report->hiddenNodes, report->forbiddenNodes);
-  if (arguments.Get("measure", 1) > 0)
+  if (arguments.Get("measure", 1) == 0)
   {
-    measures::Print(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+    return 0;
   }
-  return 0;
+  const measures::RefinementFigures figures =
+    measures::Measure(input, surface, options, voxel, arguments.Get("verbose", 0) > 0, monitor);
+  const std::vector<std::string> broken = measures::BrokenPromises(figures, *report);
+  for (const std::string& promise : broken)
+  {
+    std::printf("  BROKEN: %s\n", promise.c_str());
+  }
+  return broken.empty() ? 0 : 2;
 }

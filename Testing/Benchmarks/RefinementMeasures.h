@@ -25,6 +25,33 @@ inline const Vec3& At(const TriangleComplex& s, Id p)
   return s.points[static_cast<std::size_t>(p)];
 }
 
+struct Farthest
+{
+  double ratio = 0; ///< distance over tolerance
+  double distance = 0;
+  Id above = 0;   ///< triangles with a sample beyond the tolerance
+  Id corners = 0; ///< and those of them where a corner is
+  Vec3 place;
+};
+
+/// What is promised of a refined surface, as it was measured.
+struct RefinementFigures
+{
+  double edgesInRange = 0;  ///< share within [0.5, 1.5] of their target
+  double goodTriangles = 0; ///< share with 2r/R of 0.4 or more
+  Id badTriangles = 0;      ///< below 0.3
+  double leastQuality = 1;
+  Id exempt =
+    0;          ///< poor triangles in corners of less than 20 degrees between fixed curves, not counted above
+  Farthest out; ///< of the output from the input
+  Farthest back;           ///< of the input from the output
+  double volume = 0;       ///< largest relative change of a material
+  Id eulerNumbers = 0;     ///< that changed, of the whole and of materials
+  bool piecesKept = false; ///< as many sheets and shells
+  Id intersections = 0;
+  Id hidden = 0; ///< nodes without a direction
+};
+
 /// How many equilateral triangles of the targets cover the surface.
 inline double EquilateralTriangles(const TriangleComplex& s)
 {
@@ -41,7 +68,7 @@ inline double EquilateralTriangles(const TriangleComplex& s)
   return count;
 }
 
-inline void PrintEdges(const TriangleComplex& s)
+inline void MeasureEdges(const TriangleComplex& s, RefinementFigures& figures)
 {
   const EdgeTable table = MakeEdgeTable(s.triangles);
   Id shorter = 0;
@@ -59,8 +86,9 @@ inline void PrintEdges(const TriangleComplex& s)
     longer += r > 1.5;
   }
   const auto count = static_cast<double>(table.edges.size());
+  figures.edgesInRange = 1 - static_cast<double>(shorter + longer) / count;
   std::printf("  edges in [0.5, 1.5]: %.3f %% (%lld below, %lld above; %.2f to %.2f)\n",
-              100 * (1 - static_cast<double>(shorter + longer) / count), shorter, longer, least, most);
+              100 * figures.edgesInRange, shorter, longer, least, most);
 }
 
 /// Triangles that lie in a corner of less than 20 degrees between two feature edges.
@@ -99,7 +127,7 @@ inline std::vector<char> Exempt(const TriangleComplex& s)
   return exempt;
 }
 
-inline void PrintQuality(const TriangleComplex& s, bool verbose)
+inline void MeasureQuality(const TriangleComplex& s, bool verbose, RefinementFigures& figures)
 {
   const std::vector<char> exempt = Exempt(s);
   Id poor = 0;
@@ -126,9 +154,12 @@ inline void PrintQuality(const TriangleComplex& s, bool verbose)
                   s.junctionKind[static_cast<std::size_t>(c[2])]);
     }
   }
+  figures.goodTriangles = 1 - static_cast<double>(poor) / static_cast<double>(s.triangles.size());
+  figures.badTriangles = bad;
+  figures.leastQuality = least;
+  figures.exempt = excused;
   std::printf("  quality: %.4f %% >= 0.4 (%lld below), %lld below 0.3, least %.3f, %lld exempt\n",
-              100 * (1 - static_cast<double>(poor) / static_cast<double>(s.triangles.size())), poor, bad,
-              least, excused);
+              100 * figures.goodTriangles, poor, bad, least, excused);
 }
 
 /// Trees of the sheets between the same materials and of the same patch.
@@ -163,15 +194,6 @@ public:
 private:
   const TriangleComplex& Surface;
   std::map<Key, std::unique_ptr<TriangleTree>> Trees;
-};
-
-struct Farthest
-{
-  double ratio = 0; ///< distance over tolerance
-  double distance = 0;
-  Id above = 0;   ///< triangles with a sample beyond the tolerance
-  Id corners = 0; ///< and those of them where a corner is
-  Vec3 place;
 };
 
 /// How far samples of `from` lie from the same sheets of `to`, against `tolerance` at triangle and weights of
@@ -238,8 +260,9 @@ Farthest FindFarthest(const TriangleComplex& from, const TriangleComplex& to, bo
   return all;
 }
 
-inline void PrintDistances(const TriangleComplex& before, const TriangleComplex& after,
-                           const RefineSurfaceOptions& options, double voxel, Monitor& monitor)
+inline void MeasureDistances(const TriangleComplex& before, const TriangleComplex& after,
+                             const RefineSurfaceOptions& options, double voxel, RefinementFigures& figures,
+                             Monitor& monitor)
 {
   const double widest = voxel > 0 ? 0.5 * voxel : 0.7 * MeanEdgeLength(before);
   const auto tolerance = [&](Id t, const std::array<double, 3>& w)
@@ -256,8 +279,8 @@ inline void PrintDistances(const TriangleComplex& before, const TriangleComplex&
     }
     return std::min(0.1 * size, widest);
   };
-  const Farthest out = FindFarthest(after, before, true, tolerance, monitor);
-  const Farthest back = FindFarthest(before, after, false, tolerance, monitor);
+  const Farthest& out = figures.out = FindFarthest(after, before, true, tolerance, monitor);
+  const Farthest& back = figures.back = FindFarthest(before, after, false, tolerance, monitor);
   std::printf("  distance: to input %.2f tolerances (%lld triangles above, %lld at a corner, %.4f, at %.1f "
               "%.1f %.1f), from input "
               "%.2f (%lld, %lld, %.4f, at %.1f %.1f %.1f)\n",
@@ -281,7 +304,8 @@ inline Id EulerNumber(const TriangleComplex& s, int material)
          static_cast<Id>(own.size());
 }
 
-inline void PrintTopology(const TriangleComplex& before, const TriangleComplex& after, Monitor& monitor)
+inline void MeasureTopology(const TriangleComplex& before, const TriangleComplex& after,
+                            RefinementFigures& figures, Monitor& monitor)
 {
   const std::vector<int> materials = MaterialsOf(before);
   const std::vector<double> old = MaterialVolumes(before, materials);
@@ -295,11 +319,16 @@ inline void PrintTopology(const TriangleComplex& before, const TriangleComplex& 
   }
   const SheetGraph was = MakeSheetGraph(before);
   const SheetGraph is = MakeSheetGraph(after);
+  figures.volume = worst;
+  figures.eulerNumbers = changed;
+  figures.piecesKept =
+    was.shellsOfSheet.size() == is.shellsOfSheet.size() && was.ShellCount() == is.ShellCount();
+  figures.intersections = static_cast<Id>(FindIntersections(after.points, after.triangles, monitor).size());
   std::printf(
     "  volumes: %.1e; Euler numbers changed: %lld; sheets %zu -> %zu, shells %d -> %d; intersections: "
-    "%zu\n",
+    "%lld\n",
     worst, changed, was.shellsOfSheet.size(), is.shellsOfSheet.size(), was.ShellCount(), is.ShellCount(),
-    FindIntersections(after.points, after.triangles, monitor).size());
+    figures.intersections);
 }
 
 /// The least, over the materials at each point, of the cosine with which the best direction sees all faces.
@@ -340,8 +369,8 @@ inline std::vector<double> Sights(const TriangleComplex& s, Monitor& monitor)
   return sights;
 }
 
-inline void PrintSights(const TriangleComplex& before, const TriangleComplex& after, bool verbose,
-                        Monitor& monitor)
+inline void MeasureSights(const TriangleComplex& before, const TriangleComplex& after, bool verbose,
+                          RefinementFigures& figures, Monitor& monitor)
 {
   const std::vector<double> old = Sights(before, monitor);
   const std::vector<double> now = Sights(after, monitor);
@@ -360,21 +389,26 @@ inline void PrintSights(const TriangleComplex& before, const TriangleComplex& af
       }
     }
   }
+  figures.hidden = hidden(now);
   std::printf(
     "  nodes without a direction: %lld of %zu (%lld on sheets, least cosine %.3f); in the input %lld\n",
     static_cast<Id>(hidden(now)), now.size(), onSheets, *std::min_element(now.begin(), now.end()),
     static_cast<Id>(hidden(old)));
 }
 
-inline void Print(const TriangleComplex& before, const TriangleComplex& after,
-                  const RefineSurfaceOptions& options, double voxel, bool verbose, Monitor& monitor)
+/// Measures and prints it all. `voxel`: the least spacing of the image that the surface is from, or 0.
+inline RefinementFigures Measure(const TriangleComplex& before, const TriangleComplex& after,
+                                 const RefineSurfaceOptions& options, double voxel, bool verbose,
+                                 Monitor& monitor)
 {
-  PrintEdges(after);
-  PrintQuality(after, verbose);
-  PrintDistances(before, after, options, voxel, monitor);
-  PrintTopology(before, after, monitor);
-  PrintSights(before, after, verbose, monitor);
+  RefinementFigures figures;
+  MeasureEdges(after, figures);
+  MeasureQuality(after, verbose, figures);
+  MeasureDistances(before, after, options, voxel, figures, monitor);
+  MeasureTopology(before, after, figures, monitor);
+  MeasureSights(before, after, verbose, figures, monitor);
   std::fflush(stdout);
+  return figures;
 }
 
 } // namespace lamina::measures

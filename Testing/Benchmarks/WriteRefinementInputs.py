@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Write the inputs of MeasureRefinement: labels of the phantom and of the shared images, and closed surfaces.
 
-    LAMINA_PLUGIN=.../Lamina.so pvpython WriteRefinementInputs.py SHARED_DATA OUTPUT
+    LAMINA_PLUGIN=.../Lamina.so pvpython WriteRefinementInputs.py SHARED_DATA OUTPUT [NAME]...
 
 with PYTHONPATH set to the plugin's folder. A .labels file: three sizes (int64), three spacings (double), the material
 ids (int32), i fastest. A .surface file: the numbers of points and triangles (int64), points (double), corners (int64).
@@ -16,7 +16,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Examples"))
 from lamina_images import read_image  # noqa: E402
-from lamina_pipeline import Pipeline, load_plugin, producer, read_mask, simple  # noqa: E402
+from lamina_pipeline import Pipeline, load_plugin, read_mask, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData  # noqa: E402
 from vtkmodules.vtkIOGeometry import vtkSTLReader  # noqa: E402
@@ -47,34 +47,57 @@ def save_surface(path, reader, source):
         file.write(triangles.tobytes())
 
 
+def phantom(resolution):
+    def make(pipeline, _data):
+        grey, = pipeline.update(simple.HeartPhantom(Resolution=resolution))
+        return pipeline.segment(grey, None, SimpleNamespace(thresholds=[50, 110, 150], open_border=[]))
+    return make
+
+
+def scan(pipeline, data):
+    image = read_image(os.path.join(data, "heart_cta", "ct.mha"))
+    mask = read_mask(os.path.join(data, "heart_cta", "mask.mha"), image)
+    return pipeline.segment(image, mask, SimpleNamespace(thresholds=[-20, 215], open_border=[]))
+
+
+def tooth(pipeline, data):
+    image = read_image(os.path.join(data, "tooth", "tooth.nhdr"))
+    return pipeline.segment(image, None, SimpleNamespace(thresholds=[520, 950], open_border=[]))
+
+
+def image(*path):
+    return lambda _pipeline, data: read_image(os.path.join(data, *path))
+
+
+THORAX = slice(5, 95), slice(160, 330), slice(35, 135)
+LABELS = {"phantom60": phantom(60), "phantom120": phantom(120), "heart_cta": scan, "tooth": tooth,
+          "mickey": image("cleaver_tests", "mickey.nrrd"), "digimouse": image("digimouse", "labels.mha"),
+          "thorax": image("digimouse", "labels.mha"), "frog": image("frogtissue", "frogtissue.mhd"),
+          "aorta_labels": image("vmtk_aorta", "aorta-otsu4-labels.mha")}
+SURFACES = {"biv_heart": (vtkXMLPolyDataReader, "biv_heart_surface/heart.vtp"),
+            "vmtk_aorta": (vtkSTLReader, "vmtk_aorta/aorta-surface.stl")}
+
+
+def write(name, data, output):
+    """The input of this name; returns its file."""
+    if name in SURFACES:
+        reader, source = SURFACES[name]
+        path = os.path.join(output, f"{name}.surface")
+        save_surface(path, reader(), os.path.join(data, source))
+        return path
+    path = os.path.join(output, f"{name}.labels")
+    save_labels(path, LABELS[name](Pipeline(), data), THORAX if name == "thorax" else None)
+    return path
+
+
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    data, output = sys.argv[1:]
+    data, output = sys.argv[1:3]
     os.makedirs(output, exist_ok=True)
     load_plugin()
-    pipeline = Pipeline()
-
-    def segmented(image, thresholds, mask=None):
-        return pipeline.segment(image, mask, SimpleNamespace(thresholds=thresholds, open_border=[]))
-
-    def labels(name, image, part=None):
-        save_labels(os.path.join(output, f"{name}.labels"), image, part)
-
-    for resolution in (60, 120):
-        grey, = pipeline.update(simple.HeartPhantom(Resolution=resolution))
-        labels(f"phantom{resolution}", segmented(grey, [50, 110, 150]))
-    heart = os.path.join(data, "heart_cta")
-    scan = read_image(os.path.join(heart, "ct.mha"))
-    labels("heart_cta", segmented(scan, [-20, 215], read_mask(os.path.join(heart, "mask.mha"), scan)))
-    labels("tooth", segmented(read_image(os.path.join(data, "tooth", "tooth.nhdr")), [520, 950]))
-    labels("mickey", read_image(os.path.join(data, "cleaver_tests", "mickey.nrrd")))
-    mouse = read_image(os.path.join(data, "digimouse", "labels.mha"))
-    labels("digimouse", mouse)
-    labels("thorax", mouse, (slice(5, 95), slice(160, 330), slice(35, 135)))
-    for name, reader, source in (("biv_heart", vtkXMLPolyDataReader(), "biv_heart_surface/heart.vtp"),
-                                 ("vmtk_aorta", vtkSTLReader(), "vmtk_aorta/aorta-surface.stl")):
-        save_surface(os.path.join(output, f"{name}.surface"), reader, os.path.join(data, source))
+    for name in sys.argv[3:] or (*LABELS, *SURFACES):
+        write(name, data, output)
 
 
 if __name__ == "__main__":

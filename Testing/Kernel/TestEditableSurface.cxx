@@ -304,6 +304,56 @@ TEST(EditableSurface, ReshapingBettersTheWorstTriangleOfASheetsPoint)
   ASSERT_TRUE(bench.edited.Reshape(first[0]));
   EXPECT_GT(worst(), before);
   EXPECT_NEAR(Volume(bench.Written()), volume, 1e-12);
-  Bench storeys(TwoStoreys(), 1);
-  EXPECT_FALSE(storeys.edited.Reshape(0)); // a point of a junction stays
+}
+
+TEST(EditableSurface, ReshapingAPointOfACurveMovesItAlongTheCurve)
+{
+  Bench bench(TwoStoreys(), 0.5);
+  const Id middle = bench.edited.Split(0, 1);
+  const Id quarter =
+    bench.edited.Split(0, middle); // short edges on one side of the middle, a long one beyond
+  const auto worst = [&]
+  {
+    double q = 1;
+    for (Id t : bench.edited.Star(middle))
+    {
+      q = std::min(q, bench.edited.Quality(t));
+    }
+    return q;
+  };
+  const double before = worst();
+  const Vec3 place = bench.edited.Point(middle);
+  const double volume = Volume(bench.Written());
+  ASSERT_TRUE(bench.edited.Reshape(middle));
+  EXPECT_GT(worst(), before);
+  const Vec3 along = bench.edited.Point(1) - bench.edited.Point(0);
+  const Vec3 moved = bench.edited.Point(middle) - place;
+  EXPECT_GT(Dot(moved, along), 0); // towards the long edge
+  EXPECT_LT(Norm(Cross(moved, along)), 1e-12);
+  EXPECT_NEAR(Volume(bench.Written()), volume, 1e-12);
+  EXPECT_GE(quarter, 0);
+  Bench corner(TwoStoreys(), 1e-9);
+  EXPECT_FALSE(corner.edited.Reshape(0)); // the tolerance holds the end of the storeys' edges
+}
+
+TEST(EditableSurface, FlatTrianglesAreSplitWhereThatHelps)
+{
+  TriangleComplex flat; // its first triangle is nearly a line
+  flat.points = { { 0, 0, 0 }, { 4, 0, 0 }, { 2, 0.3, 0 }, { 2, 0.1, 3 } };
+  flat.triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
+  flat.materials.assign(4, { 1, 0 });
+  flat.targetEdgeLength.assign(4, 1);
+  Bench bench(flat, 1);
+  const double before = bench.edited.Quality(0);
+  ASSERT_LT(before, 0.3);
+  ASSERT_TRUE(bench.edited.SplitFlat(0));
+  EXPECT_EQ(bench.Alive(), 6);
+  for (Id t : bench.edited.Star(4))
+  {
+    EXPECT_GT(bench.edited.Quality(t), 1.5 * before);
+  }
+  EXPECT_FALSE(bench.edited.SplitFlat(2)); // not flat: its halves would be no better
+  flat.targetEdgeLength.assign(4, 10);
+  Bench coarse(flat, 1);
+  EXPECT_FALSE(coarse.edited.SplitFlat(0)); // the halves would be too short
 }

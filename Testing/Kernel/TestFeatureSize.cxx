@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MomentMonitor.h"
 #include "Shapes.h"
 #include "Sizing/FeatureSize.h"
 #include "Sizing/GradientLimit.h"
@@ -332,5 +333,33 @@ TEST(FeatureSize, FourTrianglesNeedlesAndPiecesAreSized)
   for (double h : surface.targetEdgeLength)
   {
     EXPECT_TRUE(h > 0 && std::isfinite(h)) << h;
+  }
+}
+
+TEST(FeatureSize, CancelAtAnyMomentLeavesTheInputAsItWas)
+{
+  TriangleComplex start;
+  shapes::AddSphere(start, {}, 2, 4, { 2, 0 });
+  shapes::AddSphere(start, {}, 1, 4, { 1, 2 });
+  start.featureSize.assign(start.points.size(), 7); // of an earlier call
+  MomentMonitor whole;
+  TriangleComplex finished = start;
+  ASSERT_TRUE(ComputeFeatureSize(finished, {}, whole));
+  ASSERT_GT(whole.Moments(), 12);
+  for (Id moment = 1; moment <= whole.Moments(); ++moment)
+  {
+    MomentMonitor monitor(moment);
+    TriangleComplex surface = start;
+    const auto result = ComputeFeatureSize(surface, {}, monitor);
+    ASSERT_FALSE(result) << "moment " << moment << " of " << whole.Moments();
+    EXPECT_EQ(result.GetError().kind, Failure::Cancelled) << moment;
+    EXPECT_EQ(surface.points, start.points) << moment;
+    EXPECT_EQ(surface.featureSize, start.featureSize) << moment;
+    EXPECT_TRUE(surface.targetEdgeLength.empty()) << moment;
+    EXPECT_TRUE(surface.thickness.empty()) << moment;
+    EXPECT_TRUE(surface.maximumCurvature.empty()) << moment;
+    EXPECT_TRUE(surface.minimumCurvature.empty()) << moment;
+    EXPECT_TRUE(surface.maximumCurvatureDirection.empty()) << moment;
+    EXPECT_TRUE(surface.sizedMaterials.empty()) << moment;
   }
 }

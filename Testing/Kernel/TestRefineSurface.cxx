@@ -3,6 +3,7 @@
 #include "Mesh/Closedness.h"
 #include "Mesh/JunctionGraph.h"
 #include "Mesh/VolumeCorrection.h"
+#include "MomentMonitor.h"
 #include "Search/SelfIntersection.h"
 #include "Shapes.h"
 #include "Sizing/FeatureSize.h"
@@ -104,6 +105,10 @@ RefineSurfaceReport RefineAndCheck(TriangleComplex& surface, const std::string& 
   }
   EXPECT_GE(report->edgesInRange, 0.99) << what;
   EXPECT_EQ(report->triangles, static_cast<Id>(surface.triangles.size())) << what;
+  // Every split adds a point and every merge takes one, whatever they were for.
+  EXPECT_EQ(static_cast<Id>(surface.points.size()) - static_cast<Id>(before.points.size()),
+            report->splits - report->merges)
+    << what;
   return *report;
 }
 
@@ -301,47 +306,32 @@ TEST(RefineSurface, Cancel)
   EXPECT_EQ(surface.points, before);
 }
 
-namespace
+TEST(RefineSurface, CancelAtAnyMomentLeavesTheInputAsItWas)
 {
-
-/// Asks to stop once it has been asked `patience` times whether to.
-class ImpatientMonitor : public ThreadMonitor
-{
-public:
-  explicit ImpatientMonitor(int patience)
-    : Patience(patience)
+  TriangleComplex start = Sectors(0.9, true);
+  start.junctionKind.clear();
+  start.junctionOrder.clear();
+  MomentMonitor whole;
+  TriangleComplex finished = start;
+  ASSERT_TRUE(RefineSurface(finished, {}, whole));
+  constexpr Id parts = 24;
+  ASSERT_GT(whole.Moments(), 2 * parts);
+  for (Id part = 0; part < parts; ++part)
   {
-  }
-  bool Cancelled() override { return --this->Patience < 0; }
-
-private:
-  int Patience;
-};
-
-} // namespace
-
-TEST(RefineSurface, CancelInTheMiddleLeavesTheInputAsItWas)
-{
-  const TriangleComplex start = Sectors(0.9, true);
-  int stopped = 0;
-  for (const int patience : { 2, 5, 10, 20, 40 })
-  {
-    ImpatientMonitor monitor(patience);
-    TriangleComplex surface = start;
-    surface.junctionKind.clear();
-    surface.junctionOrder.clear();
-    const auto result = RefineSurface(surface, {}, monitor);
-    if (result)
+    const Id moment = 1 + part * (whole.Moments() - 1) / parts;
+    for (const int threads : { 1, 2 })
     {
-      continue;
+      MomentMonitor monitor(moment, threads);
+      TriangleComplex surface = start;
+      const auto result = RefineSurface(surface, {}, monitor);
+      ASSERT_FALSE(result) << "moment " << moment << " of " << whole.Moments();
+      EXPECT_EQ(result.GetError().kind, Failure::Cancelled) << moment;
+      EXPECT_EQ(surface.points, start.points) << moment;
+      EXPECT_EQ(surface.triangles, start.triangles) << moment;
+      EXPECT_EQ(surface.targetEdgeLength, start.targetEdgeLength) << moment;
+      EXPECT_TRUE(surface.junctionKind.empty()) << moment;
     }
-    ++stopped;
-    EXPECT_EQ(result.GetError().kind, Failure::Cancelled) << patience;
-    EXPECT_EQ(surface.points, start.points) << patience;
-    EXPECT_EQ(surface.triangles, start.triangles) << patience;
-    EXPECT_TRUE(surface.junctionKind.empty()) << patience;
   }
-  EXPECT_GE(stopped, 3);
 }
 
 TEST(RefineSurface, NeitherSurfaceLeavesTheOther)

@@ -124,22 +124,22 @@ TEST(VolumeCorrection, SectorsComeBackAndJunctionsStay)
   EXPECT_GT(stayed, 100);
 }
 
-TEST(VolumeCorrection, FrozenPointsStay)
+TEST(VolumeCorrection, PointsWithoutReachStay)
 {
   TriangleComplex surface = ShellSurface();
   const SheetGraph graph = MakeSheetGraph(surface);
   const auto targets = ShellVolumes(surface, graph);
   Perturb(surface, 0.03);
-  std::vector<char> frozen(surface.points.size());
-  for (std::size_t p = 0; p < frozen.size(); ++p)
+  std::vector<double> reach(surface.points.size());
+  for (std::size_t p = 0; p < reach.size(); ++p)
   {
-    frozen[p] = surface.points[p].x > 0 ? 1 : 0;
+    reach[p] = surface.points[p].x > 0 ? 0 : 1;
   }
   const TriangleComplex before = surface;
-  EXPECT_LT(RestoreVolumes(surface, graph, targets, frozen), 1e-12);
-  for (std::size_t p = 0; p < frozen.size(); ++p)
+  EXPECT_LT(RestoreVolumes(surface, graph, targets, reach), 1e-12);
+  for (std::size_t p = 0; p < reach.size(); ++p)
   {
-    EXPECT_EQ(surface.points[p] == before.points[p], frozen[p] == 1) << p;
+    EXPECT_EQ(surface.points[p] == before.points[p], reach[p] == 0) << p;
   }
 }
 
@@ -151,9 +151,57 @@ TEST(VolumeCorrection, WhatCannotMoveIsTold)
   auto targets = ShellVolumes(surface, graph);
   targets[0] *= 1.25;
   const auto before = surface.points;
-  const std::vector<char> frozen(surface.points.size(), 1);
-  EXPECT_NEAR(RestoreVolumes(surface, graph, targets, frozen), 0.2, 1e-12);
+  const std::vector<double> none(surface.points.size(), 0);
+  EXPECT_NEAR(RestoreVolumes(surface, graph, targets, none), 0.2, 1e-12);
   EXPECT_EQ(surface.points, before);
   EXPECT_LT(RestoreVolumes(surface, graph, targets), 1e-12);
   EXPECT_NEAR(MaterialVolumes(surface, { 1 })[0], targets[0], 1e-12);
+}
+
+TEST(VolumeCorrection, WhatSomeCannotDoOthersDo)
+{
+  // Half of the outer sphere may move by a hundredth of what the uniform height would be.
+  TriangleComplex surface = ShellSurface();
+  const SheetGraph graph = MakeSheetGraph(surface);
+  auto targets = ShellVolumes(surface, graph);
+  for (double& target : targets)
+  {
+    target *= 1.01;
+  }
+  const TriangleComplex before = surface;
+  std::vector<double> reach(surface.points.size(), 1);
+  for (std::size_t p = 0; p < reach.size(); ++p)
+  {
+    reach[p] = surface.points[p].x > 0 ? 1e-4 : 0.05;
+  }
+  EXPECT_LT(RestoreVolumes(surface, graph, targets, reach), 1e-12);
+  const auto farthest = [&](bool held)
+  {
+    double most = 0;
+    for (std::size_t p = 0; p < reach.size(); ++p)
+    {
+      const double moved = Norm(surface.points[p] - before.points[p]);
+      EXPECT_LE(moved, reach[p] * (1 + 1e-9)) << p;
+      most = std::max(most, (before.points[p].x > 0) == held ? moved : 0);
+    }
+    return most;
+  };
+  EXPECT_NEAR(farthest(true), 1e-4, 1e-9);
+  EXPECT_GT(farthest(false), 0.006); // twice the height that all together would have needed
+}
+
+TEST(VolumeCorrection, BeyondAllReachEveryPointGoesAsFarAsItMay)
+{
+  TriangleComplex surface;
+  shapes::AddSphere(surface, {}, 1, 3, { 1, 0 });
+  const SheetGraph graph = MakeSheetGraph(surface);
+  auto targets = ShellVolumes(surface, graph);
+  targets[0] *= 1.25;
+  const auto before = surface.points;
+  const std::vector<double> reach(before.size(), 0.01);
+  EXPECT_NEAR(RestoreVolumes(surface, graph, targets, reach), 1 - 1.01 * 1.01 * 1.01 / 1.25, 1e-4);
+  for (std::size_t p = 0; p < before.size(); ++p)
+  {
+    EXPECT_NEAR(Norm(surface.points[p] - before[p]), 0.01, 1e-12) << p;
+  }
 }

@@ -232,7 +232,7 @@ struct Motion
   std::vector<double> areaOfSheet; ///< dV / dheight of the pair's first material
 };
 
-Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const std::vector<char>& frozen)
+Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const std::vector<char>& stays)
 {
   Motion motion;
   motion.sheetOfPoint.assign(surface.points.size(), -2);
@@ -251,8 +251,8 @@ Motion MakeMotion(const TriangleComplex& surface, const SheetGraph& graph, const
   }
   for (std::size_t v = 0; v < surface.points.size(); ++v)
   {
-    const bool inner = (surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet) &&
-                       (frozen.empty() || !frozen[v]);
+    const bool inner =
+      (surface.junctionKind.empty() || surface.junctionKind[v] == JunctionSheet) && !stays[v];
     const double six = Norm(motion.normals[v]); // closed fan: the sum of area vectors is the gradient of 6 V
     if (motion.sheetOfPoint[v] < 0 || !inner || six == 0)
     {
@@ -320,39 +320,76 @@ std::vector<double> SolveHeights(const SheetGraph& graph, const Motion& motion,
 
 } // namespace
 
-double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
-                      const std::vector<char>& frozen)
+namespace
 {
-  std::vector<Vec3> best = surface.points;
+
+/// Move the points by the heights of their sheets, none farther from its start than its reach: there it stays
+/// from then on. Returns whether any came that far.
+bool MovePoints(std::vector<Vec3>& points, const Motion& motion, const std::vector<double>& heights,
+                const std::vector<Vec3>& start, const std::vector<double>& reach, std::vector<char>& stays)
+{
+  bool any = false;
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    if (motion.sheetOfPoint[v] < 0)
+    {
+      continue;
+    }
+    points[v] += heights[static_cast<std::size_t>(motion.sheetOfPoint[v])] * motion.normals[v];
+    const Vec3 moved = points[v] - start[v];
+    if (!reach.empty() && Norm(moved) > reach[v])
+    {
+      points[v] = start[v] + (reach[v] / Norm(moved)) * moved;
+      stays[v] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+} // namespace
+
+double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
+                      const std::vector<double>& reach)
+{
+  constexpr int mostRounds = 40;
+  constexpr int enoughRounds = 8; // where no point comes to its limit
+  const std::vector<Vec3> start = surface.points;
+  std::vector<char> stays(start.size(), 0);
+  for (std::size_t v = 0; v < reach.size(); ++v)
+  {
+    stays[v] = reach[v] > 0 ? 0 : 1;
+  }
+  std::vector<Vec3> best = start;
   double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < 8; ++round)
+  double leastSum = least;
+  bool stopped = false;
+  for (int round = 0, free = 0; round < mostRounds && free < enoughRounds; ++round, free += stopped ? 0 : 1)
   {
     const std::vector<double> volumes = ShellVolumes(surface, graph);
     std::vector<double> wanted(targets.size());
     double worst = 0;
+    double sum = 0; // of the errors: the worst may be out of reach
     for (std::size_t s = 0; s < targets.size(); ++s)
     {
       wanted[s] = targets[s] - volumes[s];
-      worst = std::max(worst, std::abs(wanted[s]) / std::max(std::abs(targets[s]), 1e-300));
+      const double error = std::abs(wanted[s]) / std::max(std::abs(targets[s]), 1e-300);
+      worst = std::max(worst, error);
+      sum += error;
     }
-    if (worst < least)
+    if (sum < leastSum)
     {
+      leastSum = sum;
       least = worst;
       best = surface.points;
     }
-    if (worst < 2e-15 || worst > 2 * least)
+    if (worst < 2e-15 || (sum > 2 * leastSum && !stopped))
     {
       break;
     }
-    const Motion motion = MakeMotion(surface, graph, frozen);
+    const Motion motion = MakeMotion(surface, graph, stays);
     const std::vector<double> heights = SolveHeights(graph, motion, wanted);
-    for (std::size_t v = 0; v < surface.points.size(); ++v)
-    {
-      if (motion.sheetOfPoint[v] >= 0)
-      {
-        surface.points[v] += heights[static_cast<std::size_t>(motion.sheetOfPoint[v])] * motion.normals[v];
-      }
-    }
+    stopped = MovePoints(surface.points, motion, heights, start, reach, stays);
   }
   surface.points = std::move(best);
   return least;

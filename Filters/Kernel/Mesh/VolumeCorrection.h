@@ -38,9 +38,9 @@ std::optional<Error> CheckSides(const TriangleComplex& surface, const std::vecto
 
 /// Move the inner points of every sheet along their normals, all of one sheet by the same small height, so
 /// that each shell encloses its target again: the least such change, by Newton's method. Points of curves,
-/// corners and plane patches stay, and those flagged in `frozen` (one a point, or empty). Returns the largest
-/// remaining volume error relative to the shell's volume.
+/// corners and plane patches stay. `reach` (one a point, or empty) tells how far each may move at most: what
+/// some cannot do, others do. Returns the largest remaining volume error relative to the shell's volume.
 double RestoreVolumes(TriangleComplex& surface, const SheetGraph& graph, const std::vector<double>& targets,
-                      const std::vector<char>& frozen = {});
+                      const std::vector<double>& reach = {});
 
 } // namespace lamina

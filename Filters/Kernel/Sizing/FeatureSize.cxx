@@ -9,6 +9,7 @@
 #include "Thickness.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace lamina
@@ -185,7 +186,30 @@ void Govern(TriangleComplex& surface, const FeatureSizeOptions& options,
   }
 }
 
-/// The work on a checked surface that is not empty, on a copy of its fields' owner.
+/// The fields that are written before all is known, so that a call that is stopped can put them back.
+class OldFields
+{
+public:
+  explicit OldFields(const TriangleComplex& s)
+    : Fields{ s.maximumCurvature, s.minimumCurvature, s.featureSize, s.targetEdgeLength }
+    , Direction(s.maximumCurvatureDirection)
+  {
+  }
+  void PutBack(TriangleComplex& s)
+  {
+    s.maximumCurvature = std::move(this->Fields[0]);
+    s.minimumCurvature = std::move(this->Fields[1]);
+    s.featureSize = std::move(this->Fields[2]);
+    s.targetEdgeLength = std::move(this->Fields[3]);
+    s.maximumCurvatureDirection = std::move(this->Direction);
+  }
+
+private:
+  std::array<std::vector<double>, 4> Fields;
+  std::vector<Vec3> Direction;
+};
+
+/// The work on a checked surface that is not empty.
 std::optional<Error> Size(TriangleComplex& surface, const FeatureSizeOptions& options,
                           const std::vector<SizeLimits>& limits, FeatureSizeReport& report, Monitor& monitor)
 {
@@ -201,6 +225,7 @@ std::optional<Error> Size(TriangleComplex& surface, const FeatureSizeOptions& op
   {
     return Cancelled();
   }
+  OldFields old(surface);
   surface.maximumCurvature = std::move(curvatures.maximum);
   surface.minimumCurvature = std::move(curvatures.minimum);
   surface.maximumCurvatureDirection = std::move(curvatures.maximumDirection);
@@ -212,6 +237,7 @@ std::optional<Error> Size(TriangleComplex& surface, const FeatureSizeOptions& op
   Govern(surface, options, limits, thickness, report, monitor);
   if (monitor.Cancelled())
   {
+    old.PutBack(surface);
     return Cancelled();
   }
   surface.sizedMaterials = report.materials;

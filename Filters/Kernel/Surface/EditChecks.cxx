@@ -44,8 +44,8 @@ bool EditableSurface::HasGoodShapes(Edit& edit) const
   return !edit.added.empty();
 }
 
-/// The new triangles lie near the input: looked at in the middle, half-way from there to the corners, and at
-/// three places of each edge. Around a common corner the edges opposite to it are old.
+/// The new triangles lie near the input: looked at in the middle, at two places from there to each corner,
+/// and at three places of each edge. Around a common corner the edges opposite to it are old.
 bool EditableSurface::IsNearInput(Edit& edit) const
 {
   for (Added& t : edit.added)
@@ -64,7 +64,7 @@ bool EditableSurface::IsNearInput(Edit& edit) const
       const Vec3& from = corners[k];
       const Vec3& to = corners[(k + 1) % 3];
       const bool isNew = edit.centre < 0 || t.corners[k] == edit.centre;
-      if (!isNear(0.5 * (middle + from)) ||
+      if (!isNear(0.5 * (middle + from)) || !isNear(0.75 * middle + 0.25 * from) ||
           (isNew && !(isNear(0.5 * (from + to)) && isNear(0.75 * from + 0.25 * to) &&
                       isNear(0.25 * from + 0.75 * to))))
       {

@@ -162,6 +162,7 @@ bool EditableSurface::MergeInto(Id gone, Id kept, const EdgeTriangles& shared, c
   }
   this->Commit(edit, kept, place);
   this->Classes[U(gone)] = Removed;
+  ++this->Done.merges;
   return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Moving a point along the surface.
+#include "../Geometry/Quality.h"
 #include "EditCorners.h"
 #include "EditableSurface.h"
 
@@ -49,6 +50,8 @@ namespace
 
 constexpr double leastMove = 0.05;   ///< in targets: less is not worth its checks
 constexpr double betterShape = 1.02; ///< what a search for a better shape must gain
+constexpr double muchBetter = 1.5;   ///< what a split for a better shape must gain
+constexpr double leastSplit = 1;     ///< relative length: the halves are not too short
 
 } // namespace
 
@@ -166,15 +169,66 @@ bool EditableSurface::TryAround(Id p, double length, double leastQuality, bool a
   return false;
 }
 
+/// Move p along its curve by up to a length, either way.
+bool EditableSurface::TryAlongCurve(Id p, double length, double leastQuality)
+{
+  Id before;
+  Id after;
+  if (!this->CurveNeighbours(p, before, after))
+  {
+    return false;
+  }
+  const Vec3 x = this->Point(p);
+  return this->TryMove(p, x + length * Normalized(this->Point(after) - x), leastQuality) ||
+         this->TryMove(p, x + length * Normalized(this->Point(before) - x), leastQuality);
+}
+
 bool EditableSurface::Reshape(Id p)
 {
-  if (this->Classes[U(p)] != OnSheet)
+  const Class kind = this->Classes[U(p)];
+  if (kind >= AtCorner || this->Star(p).empty())
   {
     return false;
   }
   const double least = betterShape * this->WorstQuality(p);
   return std::any_of(std::begin(searchSteps), std::end(searchSteps),
-                     [&](double step) { return this->TryAround(p, step * this->Target(p), least, true); });
+                     [&](double step)
+                     {
+                       const double length = step * this->Target(p);
+                       return kind == OnCurve ? this->TryAlongCurve(p, length, least)
+                                              : this->TryAround(p, length, least, true);
+                     });
+}
+
+bool EditableSurface::SplitFlat(Id triangle)
+{
+  const Triangle corners = this->Corners(triangle);
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+  {
+    longest = this->Length(corners[k], corners[(k + 1) % 3]) >
+                  this->Length(corners[longest], corners[(longest + 1) % 3])
+                ? k
+                : longest;
+  }
+  const Id a = corners[longest];
+  const Id b = corners[(longest + 1) % 3];
+  const Vec3 middle = 0.5 * (this->Point(a) + this->Point(b));
+  double before = 1;
+  double after = 1;
+  for (Id t : this->TrianglesAt(a, b))
+  {
+    const Vec3& far = this->Point(Third(this->Corners(t), a, b));
+    before = std::min(before, this->Quality(t));
+    after = std::min(
+      { after, TriangleQuality(this->Point(a), middle, far), TriangleQuality(this->Point(b), middle, far) });
+  }
+  if (!this->Stretches.empty() || after < muchBetter * before || this->RelativeLength(a, b) < leastSplit)
+  {
+    return false; // stretched triangles are meant to be flat
+  }
+  this->Split(a, b);
+  return true;
 }
 
 } // namespace lamina

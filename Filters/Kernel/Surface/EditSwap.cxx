@@ -45,6 +45,7 @@ bool EditableSurface::Swap(Id a, Id b)
     return false;
   }
   this->Commit(edit);
+  ++this->Done.swaps;
   return true;
 }
 

@@ -255,6 +255,7 @@ Id EditableSurface::Split(Id a, Id b)
   }
   this->PlaceSamples(edit);
   this->Commit(edit);
+  ++this->Done.splits;
   return middle;
 }
 

@@ -14,6 +14,14 @@ namespace lamina
 /// The triangles at an edge: two, or as many as sheets meet there.
 using EdgeTriangles = ShortList<Id, 6>;
 
+/// How many edits were done, of whatever purpose.
+struct EditCounts
+{
+  Id splits = 0;
+  Id merges = 0;
+  Id swaps = 0;
+};
+
 class EditableSurface
 {
 public:
@@ -37,6 +45,7 @@ public:
              : std::sqrt(StretchedLength2(edge, this->Stretches[static_cast<std::size_t>(a)],
                                           this->Stretches[static_cast<std::size_t>(b)]));
   }
+  const EditCounts& Counts() const { return this->Done; }
   /// Length over the stricter target of the two ends.
   double RelativeLength(Id a, Id b) const
   {
@@ -62,9 +71,12 @@ public:
   bool Swap(Id a, Id b);
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
-  /// Move a point of a sheet anywhere near, without a change of volume, that betters the worst of its
-  /// triangles.
+  /// Move a point of a sheet anywhere near without a change of volume, or one of a curve along it, where that
+  /// betters the worst of its triangles.
   bool Reshape(Id p);
+  /// Bisect the longest edge of a flat triangle if the halves of all triangles there are much better than the
+  /// worst of these.
+  bool SplitFlat(Id triangle);
 
   /// Where no direction sees all faces of p well (cosine below 0.5), one edit that betters this: a move,
   /// merge or swap. Here faces may turn.
@@ -120,6 +132,7 @@ private:
   void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
   bool TryAround(Id p, double length, double leastQuality, bool along);
+  bool TryAlongCurve(Id p, double length, double leastQuality);
   Vec3 VolumeGradient(Id p) const;
   double WorstQuality(Id p) const;
   bool HasChanged(Id p) const;
@@ -174,6 +187,7 @@ private:
   std::vector<Id> Relaxed;   ///< the clock when a point was last tried to relax in vain
   InputSamples Samples;      ///< points of the input on the triangles nearest to them
   Id Changes = 0;
+  EditCounts Done;
   mutable std::vector<Box> Boxes; ///< of what an edit adds, kept for its memory
   std::vector<Id> NewIds;         ///< of the triangles that an edit adds
   Edit Work;                      ///< the edit in hand, kept for its memory

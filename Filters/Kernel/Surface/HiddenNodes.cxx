@@ -31,6 +31,7 @@ bool SeesAll(const TriangleComplex& surface, const ListRow& triangles)
       }
       done.push_back(material);
       normals.clear();
+      Vec3 sum;
       for (Id t : triangles)
       {
         const auto v = static_cast<std::size_t>(t);
@@ -38,9 +39,13 @@ bool SeesAll(const TriangleComplex& surface, const ListRow& triangles)
         if (side != 0)
         {
           normals.push_back(side * Normalized(AreaVector2(surface.points, surface.triangles[v])));
+          sum += normals.back();
         }
       }
-      if (FindVisibleDirection(normals).leastCosine < leastCosine)
+      const Vec3 mean = Normalized(sum); // most often it will do
+      const bool seen = std::all_of(normals.begin(), normals.end(),
+                                    [&](const Vec3& n) { return Dot(mean, n) >= leastCosine; });
+      if (!seen && FindVisibleDirection(normals).leastCosine < leastCosine)
       {
         return false;
       }
@@ -90,53 +95,58 @@ public:
     }
   }
 
-  /// Whether places of the junction lie within the tolerance of x and none of them sees all its faces.
+  /// Whether edges of the curve lie within the tolerance of x and none of them sees all its faces, or what
+  /// sheets of the curve have there leaves no direction for all of it, as where the curve turns sharply.
   bool ForbidCurve(const SheetSet& set, const Vec3& x) const
   {
-    return Forbid(
-      this->Curves, set, [&](Id e) { return this->IsEdgeNear(e, x); },
-      [&](Id e) { return SeesAll(this->Input.Surface(), Row(this->Edges.triangles, e)); });
-  }
-  bool ForbidCorner(const SheetSet& set, const Vec3& x) const
-  {
-    return Forbid(
-      this->Corners, set, [&](Id p) { return Norm(this->At(p) - x) <= this->Input.Tolerance(p); },
-      [&](Id p) { return SeesAll(this->Input.Surface(), Row(this->Star, p)); });
+    const auto found = this->Curves.find(set);
+    bool any = false;
+    bool anySees = false;
+    for (Id e : found == this->Curves.end() ? std::vector<Id>{} : found->second)
+    {
+      const bool isNear = this->IsEdgeNear(e, x);
+      any = any || isNear;
+      anySees = anySees || (isNear && SeesAll(this->Input.Surface(), Row(this->Edges.triangles, e)));
+    }
+    return (any && !anySees) || this->ForbidAround(set, x, 1);
   }
 
-  bool ForbidSheet(const SheetSet& set, const Vec3& x) const
+  /// Whether the corner's own place in the input, the nearest where the same sheets meet, does not see all
+  /// its faces.
+  bool ForbidCorner(const SheetSet& set, const Vec3& x) const
   {
-    const auto place = this->Input.ClosestOnSheet(set[0], x, 1e300);
-    const std::vector<Id> near = place.triangle < 0
-                                   ? std::vector<Id>{}
-                                   : this->Input.TrianglesNear(set[0], x, 2 * this->Input.Tolerance(place));
-    return !near.empty() && !SeesAll(this->Input.Surface(), { near.data(), near.data() + near.size() });
+    const auto found = this->Corners.find(set);
+    if (found == this->Corners.end())
+    {
+      return false;
+    }
+    const auto own =
+      std::min_element(found->second.begin(), found->second.end(),
+                       [&](Id p, Id q) { return Norm2(this->At(p) - x) < Norm2(this->At(q) - x); });
+    return !SeesAll(this->Input.Surface(), Row(this->Star, *own));
   }
+
+  bool ForbidSheet(const SheetSet& set, const Vec3& x) const { return this->ForbidAround(set, x, 2); }
 
 private:
   using Table = std::map<SheetSet, std::vector<Id>>;
 
-  template<typename IsNear, typename Sees>
-  static bool Forbid(const Table& table, const SheetSet& set, IsNear&& isNear, Sees&& sees)
+  /// Whether all that the sheets have within so many tolerances of x, taken together, leaves no direction.
+  bool ForbidAround(const SheetSet& set, const Vec3& x, double tolerances) const
   {
-    const auto found = table.find(set);
-    if (found == table.end())
+    std::vector<Id> around;
+    for (int sheet : set)
     {
-      return false;
-    }
-    bool any = false;
-    for (Id i : found->second)
-    {
-      if (isNear(i))
+      const auto place = this->Input.ClosestOnSheet(sheet, x, 1e300);
+      if (place.triangle >= 0)
       {
-        if (sees(i))
-        {
-          return false;
-        }
-        any = true;
+        const std::vector<Id> near =
+          this->Input.TrianglesNear(sheet, x, tolerances * this->Input.Tolerance(place));
+        around.insert(around.end(), near.begin(), near.end());
       }
     }
-    return any;
+    return !around.empty() &&
+           !SeesAll(this->Input.Surface(), { around.data(), around.data() + around.size() });
   }
   const Vec3& At(Id p) const { return this->Input.Surface().points[static_cast<std::size_t>(p)]; }
   bool IsEdgeNear(Id e, const Vec3& x) const
@@ -157,13 +167,10 @@ private:
 
 } // namespace
 
-void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
-                     RefineSurfaceReport& report, Monitor& monitor)
+std::vector<char> HiddenFlags(const TriangleComplex& surface, const Lists& star, Monitor& monitor)
 {
-  const auto count = static_cast<Id>(surface.points.size());
-  const Lists star = TrianglesOfPoints(count, surface.triangles);
   std::vector<char> hidden(surface.points.size(), 0);
-  monitor.For(count, 4096,
+  monitor.For(static_cast<Id>(hidden.size()), 4096,
               [&](Id begin, Id end)
               {
                 for (Id p = begin; p < end; ++p)
@@ -171,6 +178,15 @@ void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, c
                   hidden[static_cast<std::size_t>(p)] = SeesAll(surface, Row(star, p)) ? 0 : 1;
                 }
               });
+  return hidden;
+}
+
+void FindHiddenNodes(const TriangleComplex& surface, const SheetGraph& sheets, const InputSurface& input,
+                     RefineSurfaceReport& report, Monitor& monitor)
+{
+  const auto count = static_cast<Id>(surface.points.size());
+  const Lists star = TrianglesOfPoints(count, surface.triangles);
+  const std::vector<char> hidden = HiddenFlags(surface, star, monitor);
   for (Id p = 0; p < count; ++p)
   {
     if (hidden[static_cast<std::size_t>(p)])

@@ -18,12 +18,28 @@ double DefaultTolerance(const TriangleComplex& surface, std::size_t point, doubl
 
 } // namespace
 
+SheetTrees MakeSheetTrees(const TriangleComplex& surface, const SheetGraph& sheets)
+{
+  std::vector<std::vector<Id>> members(sheets.shellsOfSheet.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    members[static_cast<std::size_t>(sheets.sheetOfTriangle[t])].push_back(static_cast<Id>(t));
+  }
+  SheetTrees trees;
+  for (std::vector<Id>& subset : members)
+  {
+    trees.push_back(std::make_unique<TriangleTree>(surface.points, surface.triangles, std::move(subset)));
+  }
+  return trees;
+}
+
 InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, double anisotropy,
                            Monitor& monitor, double share)
   : Complex(surface)
   , Graph(MakeSheetGraph(Complex))
   , Mean(MeanEdgeLength(Complex))
   , Widest(0)
+  , Share(share)
 {
   if (this->Complex.junctionKind.size() != this->Complex.points.size())
   {
@@ -39,16 +55,7 @@ InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, dou
   {
     this->PointStretches = FindStretches(this->Complex, anisotropy, monitor);
   }
-  std::vector<std::vector<Id>> members(this->Graph.shellsOfSheet.size());
-  for (std::size_t t = 0; t < this->Complex.triangles.size(); ++t)
-  {
-    members[static_cast<std::size_t>(this->Graph.sheetOfTriangle[t])].push_back(static_cast<Id>(t));
-  }
-  for (std::vector<Id>& subset : members)
-  {
-    this->Trees.push_back(
-      std::make_unique<TriangleTree>(this->Complex.points, this->Complex.triangles, std::move(subset)));
-  }
+  this->Trees = MakeSheetTrees(this->Complex, this->Graph);
 }
 
 TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, double limit) const
@@ -63,9 +70,9 @@ double InputSurface::Tolerance(const TriangleTree::Closest& place) const
          place.weights[2] * this->Tolerance(t[2]);
 }
 
-bool InputSurface::IsWithin(const TriangleTree::Closest& place) const
+bool InputSurface::IsWithin(const TriangleTree::Closest& place, double scale) const
 {
-  const double tolerance = this->Tolerance(place);
+  const double tolerance = scale * this->Tolerance(place);
   return place.distance2 <= tolerance * tolerance;
 }
 
@@ -82,17 +89,17 @@ std::vector<Id> InputSurface::TrianglesNear(int sheet, const Vec3& p, double dis
   return near;
 }
 
-bool InputSurface::IsNear(int sheet, const Vec3& p, Id& hint) const
+bool InputSurface::IsNear(int sheet, const Vec3& p, Id& hint, double scale) const
 {
   const TriangleTree& tree = *this->Trees[static_cast<std::size_t>(sheet)];
-  if (hint >= 0 && this->IsWithin(tree.ClosestOnTriangle(hint, p)))
+  if (hint >= 0 && this->IsWithin(tree.ClosestOnTriangle(hint, p), scale))
   {
     return true;
   }
-  return tree.FindNear(p, this->Widest * this->Widest,
+  return tree.FindNear(p, scale * scale * this->Widest * this->Widest,
                        [&](const TriangleTree::Closest& place)
                        {
-                         const bool within = this->IsWithin(place);
+                         const bool within = this->IsWithin(place, scale);
                          hint = within ? place.triangle : hint;
                          return within;
                        });

@@ -12,6 +12,10 @@
 namespace lamina
 {
 
+/// A tree over the triangles of each sheet.
+using SheetTrees = std::vector<std::unique_ptr<TriangleTree>>;
+SheetTrees MakeSheetTrees(const TriangleComplex& surface, const SheetGraph& sheets);
+
 class InputSurface
 {
 public:
@@ -29,13 +33,17 @@ public:
   double MeanEdge() const { return this->Mean; }
   /// The closest point of a sheet within `limit`; triangle -1 if there is none.
   TriangleTree::Closest ClosestOnSheet(int sheet, const Vec3& p, double limit) const;
-  /// True if p lies within the tolerance of the sheet. `hint`: a triangle to look at first, or -1; becomes
-  /// the one that was found.
-  bool IsNear(int sheet, const Vec3& p, Id& hint) const;
+  /// True if p lies within the tolerance (times `scale`) of the sheet. `hint`: a triangle to look at first,
+  /// or -1; becomes the one that was found.
+  bool IsNear(int sheet, const Vec3& p, Id& hint, double scale = 1) const;
   /// The triangles of a sheet within a distance of p, ascending.
   std::vector<Id> TrianglesNear(int sheet, const Vec3& p, double distance) const;
   /// The tolerance at a place.
   double Tolerance(const TriangleTree::Closest& place) const;
+  /// What the tolerance of edits is times this is all that there is.
+  double WholeOverShare() const { return 1 / this->Share; }
+  /// The largest tolerance.
+  double WidestTolerance() const { return this->Widest; }
   /// The tolerance at a point of the input.
   double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
   double TargetAt(const TriangleTree::Closest& place) const
@@ -56,15 +64,16 @@ public:
   int TriangleSheet(Id t) const { return this->Graph.sheetOfTriangle[static_cast<std::size_t>(t)]; }
 
 private:
-  bool IsWithin(const TriangleTree::Closest& place) const;
+  bool IsWithin(const TriangleTree::Closest& place, double scale) const;
 
   TriangleComplex Complex;
   SheetGraph Graph;
   double Mean;
   double Widest; ///< the largest tolerance
+  double Share;
   std::vector<double> Tolerances;
   std::vector<Stretch> PointStretches;
-  std::vector<std::unique_ptr<TriangleTree>> Trees; ///< one a sheet
+  SheetTrees Trees;
 };
 
 } // namespace lamina

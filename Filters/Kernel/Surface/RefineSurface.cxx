@@ -4,6 +4,7 @@
 #include "../Mesh/Closedness.h"
 #include "../Search/SelfIntersection.h"
 #include "HiddenNodes.h"
+#include "RefinedVolumes.h"
 #include "Refinement.h"
 #include "RefinementResult.h"
 
@@ -117,6 +118,10 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   }
   const std::vector<double> before = MaterialVolumes(surface, materials);
   const InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
@@ -124,31 +129,42 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   for (int i = 0; i < options.iterations; ++i)
   {
     monitor.Progress(static_cast<double>(i) / (options.iterations + 1), "refining");
-    if (!refinement.Iterate(report))
+    if (!refinement.Iterate())
     {
       return Cancelled();
     }
   }
-  refinement.MendShapes(report);
+  refinement.MendShapes();
   refinement.UncoverNodes(true);
-  refinement.MendShapes(report);
-  monitor.Progress(0.95, "restoring volumes");
-  TriangleComplex refined;
-  editable.Write(refined, monitor);
-  RestoreWithoutIntersections(refined, editable.WrittenSheets(), targets, monitor);
+  refinement.MendShapes();
   if (monitor.Cancelled())
   {
     return Cancelled();
   }
-  surface = std::move(refined);
-  const std::vector<double> after = MaterialVolumes(surface, materials);
+  monitor.Progress(0.95, "restoring volumes");
+  TriangleComplex refined;
+  editable.Write(refined, monitor);
+  RestoreRefinedVolumes(refined, editable.WrittenSheets(), targets, input, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  const std::vector<double> after = MaterialVolumes(refined, materials);
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
     report.largestVolumeChange =
       std::max(report.largestVolumeChange, std::abs(after[m] - before[m]) / std::abs(before[m]));
   }
-  MeasureRefined(surface, editable.WrittenStretches(), report);
-  FindHiddenNodes(surface, editable.WrittenSheets(), input, report, monitor);
+  report.splits = editable.Counts().splits;
+  report.merges = editable.Counts().merges;
+  report.swaps = editable.Counts().swaps;
+  MeasureRefined(refined, editable.WrittenStretches(), report);
+  FindHiddenNodes(refined, editable.WrittenSheets(), input, report, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
+  surface = std::move(refined);
   monitor.Progress(1, "refined");
   return report;
 }

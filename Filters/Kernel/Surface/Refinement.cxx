@@ -31,7 +31,7 @@ void Refinement::ForEdges(Id since, Visit&& visit) const
   }
 }
 
-void Refinement::SplitLong(RefineSurfaceReport& report)
+void Refinement::SplitLong()
 {
   EdgeQueue queue;
   this->ForEdges(this->Split,
@@ -50,14 +50,14 @@ void Refinement::SplitLong(RefineSurfaceReport& report)
     queue.pop();
     if (!this->Surface.TrianglesAt(edge.a, edge.b).empty())
     {
-      this->SplitAlongPath(edge.a, edge.b, queue, report);
+      this->SplitAlongPath(edge.a, edge.b, queue);
     }
   }
 }
 
 /// Rivara's longest-edge path: an edge is bisected only when it is the longest of all its triangles; before
 /// that the longer ones are, so that no angle falls below half of what it was.
-void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceReport& report)
+void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue)
 {
   Id u = a;
   Id v = b;
@@ -83,7 +83,6 @@ void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceRepor
     }
   }
   const Id middle = this->Surface.Split(u, v);
-  ++report.splits;
   std::vector<Id> ends;
   for (Id t : this->Surface.Star(middle))
   {
@@ -111,7 +110,7 @@ void Refinement::SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceRepor
   }
 }
 
-void Refinement::MergeShort(RefineSurfaceReport& report)
+void Refinement::MergeShort()
 {
   EdgeQueue queue; // the highest rank first: the shortest edge
   const auto offer = [&](Id a, Id b)
@@ -135,7 +134,6 @@ void Refinement::MergeShort(RefineSurfaceReport& report)
     {
       continue;
     }
-    ++report.merges;
     const Id kept = this->Surface.Star(edge.a).empty() ? edge.b : edge.a;
     std::vector<Id> ends;
     for (Id t : this->Surface.Star(kept))
@@ -155,7 +153,7 @@ void Refinement::MergeShort(RefineSurfaceReport& report)
   }
 }
 
-void Refinement::SwapAll(RefineSurfaceReport& report)
+void Refinement::SwapAll()
 {
   for (int pass = 0; pass < 4; ++pass)
   {
@@ -163,20 +161,18 @@ void Refinement::SwapAll(RefineSurfaceReport& report)
     const Id now = this->Surface.Clock();
     this->ForEdges(this->Swapped, [&](Id a, Id b) { edges.push_back({ a, b }); });
     this->Swapped = now;
-    Id swapped = 0;
+    bool swapped = false;
     for (const auto& edge : edges)
     {
       if (this->Stopped())
       {
         return;
       }
-      swapped += this->Surface.TrianglesAt(edge.first, edge.second).size() == 2 &&
-                     this->Surface.Swap(edge.first, edge.second)
-                   ? 1
-                   : 0;
+      swapped = (this->Surface.TrianglesAt(edge.first, edge.second).size() == 2 &&
+                 this->Surface.Swap(edge.first, edge.second)) ||
+                swapped;
     }
-    report.swaps += swapped;
-    if (swapped == 0)
+    if (!swapped)
     {
       break;
     }
@@ -201,15 +197,15 @@ void Refinement::KeepOrder()
   }
 }
 
-bool Refinement::Iterate(RefineSurfaceReport& report)
+bool Refinement::Iterate()
 {
   this->KeepOrder();
-  this->MergeShort(report);
-  this->SplitLong(report);
+  this->MergeShort();
+  this->SplitLong();
   this->KeepOrder();
-  this->SwapAll(report);
+  this->SwapAll();
   this->RelaxAll();
-  this->SwapAll(report);
+  this->SwapAll();
   this->RelaxAll();
   return !this->Watch.Cancelled();
 }

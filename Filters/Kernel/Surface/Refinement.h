@@ -37,8 +37,8 @@ public:
     , Watch(monitor)
   {
   }
-  bool Iterate(RefineSurfaceReport& report);
-  void MendShapes(RefineSurfaceReport& report);
+  bool Iterate();
+  void MendShapes();
   /// `maySplit`: where nothing else helps, make the edges at a hidden node shorter.
   void UncoverNodes(bool maySplit);
 
@@ -46,10 +46,10 @@ private:
   /// Visits each edge with a triangle that has changed since the clock stood at `since`, once.
   template<typename Visit>
   void ForEdges(Id since, Visit&& visit) const;
-  void SplitLong(RefineSurfaceReport& report);
-  void SplitAlongPath(Id a, Id b, EdgeQueue& queue, RefineSurfaceReport& report);
-  void MergeShort(RefineSurfaceReport& report);
-  void SwapAll(RefineSurfaceReport& report);
+  void SplitLong();
+  void SplitAlongPath(Id a, Id b, EdgeQueue& queue);
+  void MergeShort();
+  void SwapAll();
   void RelaxAll();
   bool SplitBeside(Id p);
   /// Give the surface an order of space again once it has grown.

@@ -22,7 +22,7 @@ void Refinement::UncoverNodes(bool maySplit)
   {
     candidates.push_back(p);
   }
-  for (int round = 0; round < mostRounds && !candidates.empty(); ++round)
+  for (int round = 0; round < mostRounds && !candidates.empty() && !this->Watch.Cancelled(); ++round)
   {
     std::vector<std::pair<double, Id>> hidden;
     for (Id p : candidates)
@@ -93,11 +93,12 @@ bool Refinement::SplitBeside(Id p)
 }
 
 /// Bad triangles that the rounds left: merge away their shortest edge or move a corner.
-void Refinement::MendShapes(RefineSurfaceReport& report)
+void Refinement::MendShapes()
 {
   constexpr double good = 0.4;
   constexpr int mostMoves = 10;
-  for (int round = 0; round < 4; ++round)
+  constexpr int splitFrom = 2; // rounds, when all else was tried
+  for (int round = 0; round < 5; ++round)
   {
     std::vector<std::pair<double, Id>> bad;
     for (Id t = 0; t < this->Surface.TriangleCount(); ++t)
@@ -128,12 +129,15 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
           shortest = k;
         }
       }
-      const bool merged = this->Surface.Merge(c[shortest], c[(shortest + 1) % 3], true) ||
-                          this->Surface.Merge(c[(shortest + 1) % 3], c[(shortest + 2) % 3], true) ||
-                          this->Surface.Merge(c[(shortest + 2) % 3], c[shortest], true);
-      report.merges += merged ? 1 : 0;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (this->Surface.Merge(c[(shortest + k) % 3], c[(shortest + k + 1) % 3], true))
+        {
+          break;
+        }
+      }
     }
-    this->SwapAll(report);
+    this->SwapAll();
     for (const auto& item : bad)
     {
       if (!this->Surface.IsAlive(item.second))
@@ -150,6 +154,10 @@ void Refinement::MendShapes(RefineSurfaceReport& report)
             break;
           }
         }
+      }
+      if (round >= splitFrom && this->Surface.Quality(item.second) < good)
+      {
+        this->Surface.SplitFlat(item.second);
       }
     }
   }

@@ -2,48 +2,12 @@
 #include "RefinementResult.h"
 
 #include "../Geometry/Quality.h"
-#include "../Search/SelfIntersection.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lamina
 {
-
-void RestoreWithoutIntersections(TriangleComplex& surface, const SheetGraph& sheets,
-                                 const std::vector<double>& targets, Monitor& monitor)
-{
-  const std::vector<Vec3> start = surface.points;
-  std::vector<char> frozen(surface.points.size(), 0);
-  const Lists star = TrianglesOfPoints(static_cast<Id>(start.size()), surface.triangles);
-  for (int round = 0; round < 8; ++round)
-  {
-    RestoreVolumes(surface, sheets, targets, frozen);
-    const auto pairs = FindIntersections(surface.points, surface.triangles, monitor);
-    if (pairs.empty())
-    {
-      return;
-    }
-    surface.points = start;
-    for (const auto& pair : pairs)
-    {
-      for (Id t : pair)
-      {
-        for (Id p : surface.triangles[static_cast<std::size_t>(t)])
-        {
-          for (Id near : Row(star, p))
-          {
-            for (Id q : surface.triangles[static_cast<std::size_t>(near)])
-            {
-              frozen[static_cast<std::size_t>(q)] = 1;
-            }
-          }
-        }
-      }
-    }
-  }
-  // Better a small error of volume, which the report tells, than an intersection.
-}
 
 void MeasureRefined(const TriangleComplex& surface, const std::vector<Stretch>& stretches,
                     RefineSurfaceReport& report)
