@@ -11,32 +11,22 @@ namespace lamina
 namespace
 {
 
-/// What an edit that uncovers may at most leave of what blocks the sight.
-constexpr double leastGain = 0.96;
-/// Where little is missing to a cosine of 0.4, small steps are worth their time too.
-constexpr double leastGainNearby = 0.995;
-constexpr double nearby[] = { 0.37, 0.41 };
+constexpr double leastGain = 0.96; ///< what an edit that uncovers may at most leave of what blocks the sight
 
 } // namespace
 
 bool EditableSurface::Uncover(Id p)
 {
   double blocked = 0;
-  const double sight = this->Star(p).empty() ? 1 : this->Visibility(p, nullptr, &blocked);
-  if (sight >= goodSight)
+  if (this->Star(p).empty() || this->Visibility(p, nullptr, &blocked) >= goodSight)
   {
     return false;
   }
   this->Mending = true;
   this->Mended = p;
-  bool done = false;
-  for (const double gain : { leastGain, leastGainNearby })
-  {
-    this->MostBlocked = gain * blocked;
-    const bool isTried = gain == leastGain || (sight > nearby[0] && sight < nearby[1]);
-    done = done || (isTried && (this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) ||
-                                this->UncoverBySearch(p)));
-  }
+  this->MostBlocked = leastGain * blocked;
+  const bool done =
+    this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) || this->UncoverBySearch(p);
   this->Mending = false;
   this->Mended = -1;
   return done;
