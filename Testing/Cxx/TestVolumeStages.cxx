@@ -13,6 +13,7 @@
 #include "vtkVolumeConservingSmoothing.h"
 
 #include <vtkIdTypeArray.h>
+#include <vtkMath.h>
 
 namespace
 {
@@ -142,6 +143,14 @@ TEST(PrismLayer, ArraysOfTheContractAndRanges)
   auto* inner = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
   ASSERT_TRUE(inner);
   EXPECT_TRUE(inner->GetCellData()->GetArray("BoundaryLabels"));
+  vtkDataArray* height = inner->GetPointData()->GetArray("LayerHeight");
+  vtkDataArray* side = inner->GetPointData()->GetArray("LayerSide");
+  ASSERT_TRUE(height && side);
+  ASSERT_EQ(side->GetNumberOfComponents(), 3);
+  for (vtkIdType p = 0; p < inner->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_NEAR(vtkMath::Norm(side->GetTuple3(p)), height->GetComponent(p, 0), 1e-12);
+  }
   filter->SetLayers(0);
   ExpectError(filter, "ayers");
   filter->SetLayers(1);

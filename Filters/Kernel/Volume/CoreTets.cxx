@@ -17,7 +17,7 @@ namespace
 using Tet = std::array<Id, 4>;
 
 constexpr double QualityGate = 0.1;
-constexpr double ShapeFirst = 0.16; ///< tets below need not fit the prisms behind
+constexpr double ShapeFirst = 0.2; ///< tets below are bettered before it matters how they fit prisms
 
 std::size_t Index(Id id)
 {
@@ -66,24 +66,22 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
   report.aboveGate = report.tets > 0 ? (report.aboveGate - 1) / static_cast<double>(report.tets) : 1;
 }
 
-/// Betters the tets, with an eye on the prisms behind the surface if there are some.
+/// Betters the tets; if there are prisms behind the surface the worst by their shape first, then all with an
+/// eye on these.
 void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
 {
   const FrontCells behind(surface);
   ImproveTetsOptions options;
   if (!surface.layerSide.empty())
   {
-    set.front = &behind;
+    options.target = ShapeFirst;
+    ImproveTets(set, options, monitor);
+    options = {};
     options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
+    set.front = &behind;
   }
   ImproveTets(set, options, monitor);
-  if (set.front != nullptr)
-  {
-    // What is near the gate still is bettered whatever becomes of the fit.
-    set.front = nullptr;
-    options.target = options.pointsBelow = ShapeFirst;
-    ImproveTets(set, options, monitor);
-  }
+  set.front = nullptr;
 }
 
 Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec3>& interior,
