@@ -149,56 +149,57 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
   {
     return 1;
   }
-  return lamina::RunStage(this,
-                          [&]() -> lamina::Status
-                          {
-                            const auto scalars = lamina::FindScalars(input, nullptr, nullptr);
-                            if (!scalars)
-                            {
-                              return scalars.GetError();
-                            }
-                            const auto grey = lamina::ViewGrey(input, *scalars);
-                            if (!grey)
-                            {
-                              return grey.GetError();
-                            }
-                            lamina::SegmentOptions options;
-                            if (const auto read = ReadOptions(this, options); !read)
-                            {
-                              return read.GetError();
-                            }
-                            lamina::RegionMask mask;
-                            if (maskInput)
-                            {
-                              auto read = lamina::ReadRegion(maskInput, grey->grid);
-                              if (!read)
-                              {
-                                return read.GetError();
-                              }
-                              mask = std::move(*read);
-                              options.mask = &mask;
-                            }
-                            lamina::LabelImage labels;
-                            std::vector<unsigned char> flags;
-                            lamina::AlgorithmMonitor monitor(this);
-                            const auto report = lamina::Segment(*grey, labels, flags, options, monitor);
-                            if (!report)
-                            {
-                              return report.GetError();
-                            }
-                            for (const std::string& warning : report->warnings)
-                            {
-                              vtkWarningMacro(<< warning);
-                            }
-                            output->ShallowCopy(input);
-                            lamina::WriteLabels(labels, output);
-                            output->GetPointData()->AddArray(
-                              lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, flags));
-                            lamina::AttachReport(output, "MultimaterialSegmentation",
-                                                 lamina::Describe(*report));
-                            lamina::FillTable(*report, table);
-                            return lamina::Done{};
-                          });
+  return lamina::RunStage(
+    this,
+    [&]() -> lamina::Status
+    {
+      const auto scalars = lamina::FindScalars(input, nullptr, nullptr);
+      if (!scalars)
+      {
+        return scalars.GetError();
+      }
+      const auto grey = lamina::ViewGrey(input, *scalars);
+      if (!grey)
+      {
+        return grey.GetError();
+      }
+      lamina::SegmentOptions options;
+      if (const auto read = ReadOptions(this, options); !read)
+      {
+        return read.GetError();
+      }
+      lamina::RegionMask mask;
+      if (maskInput)
+      {
+        auto read = lamina::ReadRegion(maskInput, grey->grid);
+        if (!read)
+        {
+          return read.GetError();
+        }
+        mask = std::move(*read);
+        options.mask = &mask;
+      }
+      lamina::LabelImage labels;
+      std::vector<unsigned char> flags;
+      lamina::AlgorithmMonitor monitor(this);
+      const auto report = lamina::Segment(*grey, labels, flags, options, monitor);
+      if (!report)
+      {
+        return report.GetError();
+      }
+      for (const std::string& warning : report->warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+      output->ShallowCopy(input);
+      lamina::WriteLabels(labels, output);
+      output->GetPointData()->AddArray(
+        lamina::MakeArray<vtkUnsignedCharArray>(lamina::names::Disputed, flags));
+      lamina::AttachReport(output, "MultimaterialSegmentation", lamina::Describe(*report));
+      lamina::FillTable(*report, table);
+      lamina::AttachReport(table, "MultimaterialSegmentation", lamina::Describe(*report));
+      return lamina::Done{};
+    });
 }
 
 void vtkMultimaterialSegmentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,10 +4,11 @@
 Grey images get thresholds from their histogram; images of materials (MaterialIds, or whole numbers up to 32) are taken as they
 are. Every stage stands in the pipeline browser afterwards: change its properties and press Apply.
 """
+import json
+
 from paraview import servermanager, simple
 
 MOST_LABELS = 32
-BINS = 256
 MOST_EDGES = 500_000  # cells; the edges of more are but a dark cloud
 
 
@@ -26,41 +27,6 @@ def scalars_of(image):
     return info.GetName(), info.GetComponentRange(0), info.GetDataTypeAsString() not in ("float", "double")
 
 
-def two_thresholds(counts, edges):
-    """The two values that part a histogram into three classes most unlike each other (N. Otsu, IEEE Transactions on Systems,
-    Man and Cybernetics 9, 1979)."""
-    total = [0.0]
-    first = [0.0]
-    for count, value in zip(counts, edges):
-        total.append(total[-1] + count)
-        first.append(first[-1] + count * value)
-
-    def between(a, b):
-        weight = total[b] - total[a]
-        return (first[b] - first[a]) ** 2 / weight if weight > 0 else 0.0
-
-    best, where = -1.0, (1, 2)
-    for low in range(1, len(counts) - 1):
-        below = between(0, low)
-        for high in range(low + 1, len(counts)):
-            spread = below + between(low, high) + between(high, len(counts))
-            if spread > best:
-                best, where = spread, (low, high)
-    step = edges[1] - edges[0]
-    return [edges[k] - 0.5 * step for k in where]
-
-
-def thresholds_of(image, name):
-    """Worked out where the data are, so that it also serves a remote server."""
-    histogram = simple.Histogram(Input=image, SelectInputArray=["POINTS", name], BinCount=BINS)
-    rows = servermanager.Fetch(histogram).GetRowData()
-    simple.Delete(histogram)
-    count = rows.GetArray("bin_values")
-    place = rows.GetArray("bin_extents")
-    return two_thresholds([count.GetValue(i) for i in range(count.GetNumberOfTuples())],
-                          [place.GetValue(i) for i in range(place.GetNumberOfTuples())])
-
-
 def run(stage):
     stage.UpdatePipeline()
     if stage.GetDataInformation().GetNumberOfPoints() == 0:
@@ -73,9 +39,11 @@ def labels_of(image):
     name, (least, most), whole = scalars_of(image)
     if name == "MaterialIds" or (whole and least >= 0 and most <= MOST_LABELS):
         return image
-    thresholds = thresholds_of(image, name)
-    say("Thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in thresholds))
-    return run(simple.MultimaterialSegmentation(registrationName="Materials", Input=image, Thresholds=thresholds))
+    labels = run(simple.MultimaterialSegmentation(registrationName="Materials", Input=image))
+    table = servermanager.Fetch(simple.OutputPort(labels, 1))
+    report = json.loads(table.GetFieldData().GetAbstractArray("LaminaReport_MultimaterialSegmentation").GetValue(0))
+    say("Thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in report["thresholds"]))
+    return labels
 
 
 def build(image):

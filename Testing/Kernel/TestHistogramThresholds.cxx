@@ -88,3 +88,42 @@ TEST(HistogramThresholds, AreSuggestedWhereThoseGivenDoNotFit)
   EXPECT_NE(outcome.GetError().message.find("its histogram suggests -24"), std::string::npos)
     << outcome.GetError().message;
 }
+
+TEST(HistogramThresholds, ServeWhereNoneAreGiven)
+{
+  ThreadMonitor monitor(2);
+  LabelImage labels;
+  std::vector<unsigned char> flags;
+  const GreyImage image = Thirds(8, 10, -3000);
+  SegmentOptions options;
+  options.thresholds.clear();
+  const auto outcome = Segment(image, labels, flags, options, monitor);
+  ASSERT_TRUE(outcome) << outcome.GetError().message;
+  ASSERT_EQ(outcome->thresholds.size(), 3u);
+  EXPECT_NEAR(outcome->thresholds[0], -3000 + 525, 120);
+  // 35 and 65 % of the way from 85 to 190
+  EXPECT_NEAR(outcome->thresholds[1], -3000 + 1217, 40);
+  EXPECT_NEAR(outcome->thresholds[2], -3000 + 1532, 40);
+  Id right = 0;
+  for (std::size_t v = 0; v < labels.labels.size(); ++v)
+  {
+    right += labels.labels[v] == static_cast<int>(v % 30 / 10) ? 1 : 0;
+  }
+  // Blood at the image's border becomes tissue: its two outermost layers all around.
+  EXPECT_GT(static_cast<double>(right), 0.9 * 30 * 28 * 28);
+}
+
+TEST(HistogramThresholds, LeaveTheDisputedClassOutWhereNothingLiesBetween)
+{
+  GreyImage image = Thirds(0);
+  for (double& value : image.values)
+  {
+    value = value > 100 ? 1 : 0;
+  }
+  ThreadMonitor monitor(2);
+  const auto found = HistogramClasses(image, 0, 1, monitor);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_GT(found[0], 0);
+  EXPECT_LT(found[0], found[1]);
+  EXPECT_LT(found[1], 1);
+}

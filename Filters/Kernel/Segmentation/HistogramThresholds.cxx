@@ -17,6 +17,9 @@ constexpr int Bins = 256;
 constexpr int FineBins = 1 << 16;
 constexpr double Tail = 0.001;
 constexpr Id Grain = 1 << 16;
+/// What of the way from tissue to blood may be either.
+constexpr double DisputedFrom = 0.35;
+constexpr double DisputedTo = 0.65;
 
 struct Range
 {
@@ -47,7 +50,7 @@ std::vector<Id> Count(const GreyView& grey, const Range& range, int bins, Monito
                   for (Id v = 0; v < to - from; ++v)
                   {
                     const double value = values[static_cast<std::size_t>(v)];
-                    if (std::isfinite(value) && value >= range.least && value <= range.greatest)
+                    if (value >= range.least && value <= range.greatest) // neither holds for NaN
                     {
                       ++own[static_cast<std::size_t>(BinOf(value, range, bins))];
                     }
@@ -62,7 +65,7 @@ std::vector<Id> Count(const GreyView& grey, const Range& range, int bins, Monito
   return counts;
 }
 
-double EdgeOf(int bin, const Range& range, int bins)
+double ValueOf(double bin, const Range& range, int bins)
 {
   return range.least + (range.greatest - range.least) * bin / bins;
 }
@@ -87,16 +90,13 @@ Range WithoutTails(const GreyView& grey, const Range& range, Monitor& monitor)
   {
     above += counts[static_cast<std::size_t>(--high - 1)];
   }
-  return { EdgeOf(low, range, FineBins), EdgeOf(high, range, FineBins) };
+  return { ValueOf(low, range, FineBins), ValueOf(high, range, FineBins) };
 }
 
-} // namespace
-
-std::array<double, 2> HistogramThresholds(const GreyView& grey, double least, double greatest,
-                                          Monitor& monitor)
+/// The bins where the second and the third class of the largest variance between classes begin. Over a valley
+/// without values every place is as good: the middle of the best ones is taken.
+std::array<double, 2> BestParting(const std::vector<Id>& counts)
 {
-  const Range range = WithoutTails(grey, { least, greatest }, monitor);
-  const std::vector<Id> counts = Count(grey, range, Bins, monitor);
   std::vector<double> weight(Bins + 1, 0);
   std::vector<double> moment(Bins + 1, 0);
   for (int b = 0; b < Bins; ++b)
@@ -112,7 +112,6 @@ std::array<double, 2> HistogramThresholds(const GreyView& grey, double least, do
     const double m = moment[to] - moment[from];
     return w > 0 ? m * m / w : 0.0;
   };
-  // Over a valley without values every place is as good: the middle of the best ones is taken.
   double best = -1;
   std::array<double, 2> sum{};
   int ties = 0;
@@ -135,8 +134,52 @@ std::array<double, 2> HistogramThresholds(const GreyView& grey, double least, do
       }
     }
   }
-  const double step = (range.greatest - range.least) / Bins;
-  return { range.least + step * sum[0] / ties, range.least + step * sum[1] / ties };
+  return { sum[0] / ties, sum[1] / ties };
+}
+
+/// The bin that halves what bins [from, to) hold, or -1 if they hold nothing.
+double MedianBin(const std::vector<Id>& counts, double from, double to)
+{
+  Id all = 0;
+  for (int b = static_cast<int>(from); b < static_cast<int>(to); ++b)
+  {
+    all += counts[static_cast<std::size_t>(b)];
+  }
+  Id below = 0;
+  for (int b = static_cast<int>(from); all > 0 && b < static_cast<int>(to); ++b)
+  {
+    below += counts[static_cast<std::size_t>(b)];
+    if (2 * below >= all)
+    {
+      return b + 0.5;
+    }
+  }
+  return -1;
+}
+
+} // namespace
+
+std::array<double, 2> HistogramThresholds(const GreyView& grey, double least, double greatest,
+                                          Monitor& monitor)
+{
+  const Range range = WithoutTails(grey, { least, greatest }, monitor);
+  const auto [low, high] = BestParting(Count(grey, range, Bins, monitor));
+  return { ValueOf(low, range, Bins), ValueOf(high, range, Bins) };
+}
+
+std::vector<double> HistogramClasses(const GreyView& grey, double least, double greatest, Monitor& monitor)
+{
+  const Range range = WithoutTails(grey, { least, greatest }, monitor);
+  const std::vector<Id> counts = Count(grey, range, Bins, monitor);
+  const auto [low, high] = BestParting(counts);
+  const double middle = MedianBin(counts, low, high);
+  const double upper = MedianBin(counts, high, Bins);
+  if (middle < 0 || upper < 0)
+  {
+    return { ValueOf(low, range, Bins), ValueOf(high, range, Bins) };
+  }
+  const auto between = [&](double share) { return ValueOf(middle + share * (upper - middle), range, Bins); };
+  return { ValueOf(low, range, Bins), between(DisputedFrom), between(DisputedTo) };
 }
 
 } // namespace lamina

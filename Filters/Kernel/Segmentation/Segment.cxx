@@ -219,14 +219,16 @@ Result<bool> CheckOutcome(const SegmentReport& report)
 } // namespace
 
 Result<SegmentReport> Segment(const GreyView& grey, LabelImage& labels, std::vector<unsigned char>& flags,
-                              const SegmentOptions& options, Monitor& monitor)
+                              const SegmentOptions& asked, Monitor& monitor)
 {
   SegmentReport report;
+  SegmentOptions options = asked;
   const Result<bool> good = segment::Check(grey, options, report, monitor);
   if (!good)
   {
     return good.GetError();
   }
+  report.thresholds = options.thresholds;
   monitor.Progress(0.0, "smoothing");
   GreyView smooth = segment::Smoothed(grey, options, report, monitor);
   if (monitor.Cancelled())
@@ -236,14 +238,13 @@ Result<SegmentReport> Segment(const GreyView& grey, LabelImage& labels, std::vec
   labels.grid = grey.grid;
   labels.labels.assign(grey.Count(), 0);
   flags.assign(grey.Count(), 0);
-  SegmentOptions inside = options;
   RegionMask trimmed;
   if (options.mask && options.openAtMaskBorder)
   {
     trimmed = segment::TrimMask(*options.mask, monitor);
-    inside.mask = &trimmed;
+    options.mask = &trimmed;
   }
-  Work work{ std::move(smooth), inside, labels, labels.labels, flags, report, {}, {} };
+  Work work{ std::move(smooth), options, labels, labels.labels, flags, report, {}, {} };
   DecideVoxels(work, monitor);
   if (!monitor.Cancelled())
   {

@@ -57,6 +57,7 @@ struct SegmentOptions
 {
   /// Grey values, ascending. Three: background, tissue, disputed, blood; two: background, tissue, blood; any
   /// other number: one material per class, numbered from 0, of which none is disputed and none needs a wall.
+  /// None: three by HistogramClasses.
   std::vector<double> thresholds{ 50, 110, 150 };
   /// Sweeps of edge-preserving smoothing before the thresholds, 0 (off) to 20. An image without noise stays
   /// as it is.
@@ -114,9 +115,10 @@ struct SegmentReport
   SegmentTopology topology;
   double least = 0; ///< range of the finite grey values
   double greatest = 0;
-  double noise = 0; ///< estimated deviation; 0 where the image has none
-  Id disputed = 0;  ///< voxels flagged
-  int passes = 0;   ///< of walls, islands and repair, until nothing changed
+  std::vector<double> thresholds; ///< those of the options or of the histogram
+  double noise = 0;               ///< estimated deviation; 0 where the image has none
+  Id disputed = 0;                ///< voxels flagged
+  int passes = 0;                 ///< of walls, islands and repair, until nothing changed
   std::vector<std::string> warnings;
 };
 

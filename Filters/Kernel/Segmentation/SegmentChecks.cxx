@@ -85,11 +85,6 @@ Result<bool> CheckImage(const GreyView& grey)
 
 Result<bool> CheckThresholds(const std::vector<double>& thresholds)
 {
-  if (thresholds.empty())
-  {
-    return InvalidOption(
-      "no thresholds given: three make background, tissue, disputed and blood, two leave disputed out");
-  }
   if (thresholds.size() > LargestMaterial)
   {
     return InvalidOption(Text(thresholds.size(), " thresholds would make materials beyond ", LargestMaterial,
@@ -110,7 +105,8 @@ Result<bool> CheckThresholds(const std::vector<double>& thresholds)
   return true;
 }
 
-Result<bool> CheckRange(const GreyView& grey, const SegmentOptions& options, double least, double greatest,
+/// Thresholds that nobody gave come from the histogram.
+Result<bool> CheckRange(const GreyView& grey, SegmentOptions& options, double least, double greatest,
                         Monitor& monitor)
 {
   if (!(least <= greatest))
@@ -120,6 +116,11 @@ Result<bool> CheckRange(const GreyView& grey, const SegmentOptions& options, dou
   if (least == greatest)
   {
     return InvalidInput(Text("the image is constant: every voxel is ", least));
+  }
+  if (options.thresholds.empty())
+  {
+    options.thresholds = HistogramClasses(grey, least, greatest, monitor);
+    return true;
   }
   for (const double threshold : options.thresholds)
   {
@@ -190,8 +191,7 @@ Result<bool> CheckMask(const GreyView& grey, const RegionMask* mask)
 
 } // namespace
 
-Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentReport& report,
-                   Monitor& monitor)
+Result<bool> Check(const GreyView& grey, SegmentOptions& options, SegmentReport& report, Monitor& monitor)
 {
   Result<bool> good = CheckImage(grey);
   if (good)
@@ -205,13 +205,9 @@ Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentR
   if (good)
   {
     FindRange(grey, report, monitor);
-    if (monitor.Cancelled())
-    {
-      return Cancelled();
-    }
-    good = CheckRange(grey, options, report.least, report.greatest, monitor);
+    good = monitor.Cancelled() ? Result<bool>(Cancelled()) : CheckMask(grey, options.mask);
   }
-  return good ? CheckMask(grey, options.mask) : good;
+  return good ? CheckRange(grey, options, report.least, report.greatest, monitor) : good;
 }
 
 } // namespace segment

@@ -78,8 +78,7 @@ void ForEachNeighbour26(const std::array<Id, 3>& size, Id voxel, const Visit& vi
 }
 
 /// What cannot be segmented, before any work. The image's range goes into the report.
-Result<bool> Check(const GreyView& grey, const SegmentOptions& options, SegmentReport& report,
-                   Monitor& monitor);
+Result<bool> Check(const GreyView& grey, SegmentOptions& options, SegmentReport& report, Monitor& monitor);
 /// The deviation of the noise, from second differences inside the classes: the least of those that have any.
 double EstimateNoise(const GreyView& grey, const SegmentOptions& options, const SegmentReport& report);
 /// The image without its noise, in memory of its own; the same view where there is no noise or no smoothing.
