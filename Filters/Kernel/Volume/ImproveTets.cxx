@@ -18,7 +18,7 @@ namespace
 using Tet = std::array<Id, 4>;
 
 constexpr Id Grain = 16384;
-constexpr std::size_t CancelEvery = 256;
+constexpr std::size_t CancelEvery = 32;
 constexpr double LittleGain = 0.02;
 /// Tets below are tried again and again, as what is round them may have changed.
 constexpr double NeverHopeless = 0.17;
