@@ -119,6 +119,11 @@ def main():
     parser.add_argument("--json", help="write all reports there")
     parser.add_argument("options", nargs="*", help="of mesh.sh, after --")
     asked = parser.parse_args()
+    build = pathlib.Path(os.environ.get("LAMINA_BUILD_DIR", ROOT / "build" / "release"))
+    plugins = sorted(build.glob("lib/**/Lamina.so"))
+    if not plugins:
+        sys.exit(f"no plugin in {build}: build it, or name another build by LAMINA_BUILD_DIR")
+    os.environ.setdefault("LAMINA_PLUGIN", str(plugins[0]))  # for the program that writes the phantom
     threads = sorted(int(count) for count in asked.threads.split(","))
     found = {}
     phantoms = []
