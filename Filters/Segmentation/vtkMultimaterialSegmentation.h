@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Grey values between the classes, ascending, inside the image's range. Default: none, which takes three from
-   * the whole image's histogram: N. Otsu's lower one of two, and two around the middle between the
+   * Grey values between the classes, ascending, inside the image's range. Default: 50, 110, 150. None takes
+   * three from the whole image's histogram: N. Otsu's lower one of two, and two around the middle between the
    * medians of the upper classes. The report tells those that served.
    */
   void AddThreshold(double threshold);
@@ -208,7 +208,7 @@ private:
   vtkMultimaterialSegmentation(const vtkMultimaterialSegmentation&) = delete;
   void operator=(const vtkMultimaterialSegmentation&) = delete;
 
-  std::vector<double> Thresholds;
+  std::vector<double> Thresholds{ 50, 110, 150 };
   int SmoothingSweeps = 2;
   int DisputedVoxels = LIKELIER_MATERIAL;
   bool DissolveSkins = true;
