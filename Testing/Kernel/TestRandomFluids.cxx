@@ -135,8 +135,8 @@ void ExpectGoodFluids(unsigned seed, unsigned largest)
   const auto filled = MeshCoreTets(layers.front, {}, {}, core, monitor);
   ASSERT_TRUE(filled) << filled.GetError().message;
   EXPECT_EQ(filled->rung, 1);
-  // Noise has folds and necks at which the surface itself allows no more.
-  EXPECT_GT(filled->leastQuality, 0.01);
+  // Between folds of noise the core was seen to stay at 0.05 in some images.
+  EXPECT_GT(filled->leastQuality, 0.04);
   EXPECT_GT(filled->aboveGate, 0.9995);
   std::fill(core.interfaceNodeIds.begin(), core.interfaceNodeIds.end(), -1);
   for (Id c = 0; c < layers.mesh.CellCount(); ++c)
