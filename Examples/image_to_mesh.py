@@ -131,6 +131,7 @@ def parse(arguments):
     p.add_argument("--export", type=formats, default=[], metavar="NAME,...", help="formats of solvers, beside mesh.vtu")
     p.add_argument("--pictures", action="store_true", help="PNG pictures beside the results")
     p.add_argument("--threads", type=whole(1), help="threads (all cores)")
+    p.add_argument("--memory", type=positive, metavar="GIB", help="memory that may be taken (what is free)")
     options = p.parse_args(arguments)
     check(p, options)
     return options

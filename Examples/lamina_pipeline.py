@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stages in order, as image_to_mesh.py runs them: errors become exceptions, results appear when all is done."""
-import glob
 import json
 import os
-import re
 import resource
 import shutil
 import signal
@@ -23,44 +21,14 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtk
 from lamina_files import prepare
 from lamina_guard import SCRATCH, STOPPED
 from lamina_images import ImageError, read_image, scalars_of
+from lamina_plugin import Failed, load_plugin
 
 WRITERS = {".vti": vtkXMLImageDataWriter, ".vtp": vtkXMLPolyDataWriter, ".vtu": vtkXMLUnstructuredGridWriter}
-
-
-class Failed(Exception):
-    def __init__(self, stage, message, code=1):
-        super().__init__(message)
-        self.stage = stage
-        self.code = code
 
 
 def peak_memory():
     """The most memory this process or one it started has held so far, in MB."""
     return max(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)) / 1024
-
-
-def load_plugin():
-    """Load the plugin that LAMINA_PLUGIN names, or the one of this source tree or installed tree."""
-    here = os.path.dirname(os.path.abspath(__file__))
-    path = os.environ.get("LAMINA_PLUGIN")
-    if not path:
-        end = os.path.join("paraview-*", "plugins", "Lamina", "Lamina.so")
-        places = ((here, "..", "build", "release", "lib"), (here, "..", "..", "..", "lib"), (here, "..", "..", "..", "lib", "*"))
-        path = next((found for place in places for found in glob.glob(os.path.join(*place, end))), None)
-    if not path or not os.path.isfile(path):
-        raise Failed("plugin", "Lamina.so is not there; build it: cmake --preset release && cmake --build --preset release")
-    check_version(path)
-    simple.LoadPlugin(os.path.abspath(path), remote=False, ns=vars(simple))
-
-
-def check_version(path):
-    """A plugin loads in the one version of ParaView that it was built for; its folder tells which."""
-    built = re.search(r"paraview-(\d+\.\d+)", os.path.abspath(path))
-    version = simple.GetParaViewVersion()
-    running = f"{version.major}.{version.minor}"
-    if built and built.group(1) != running:
-        raise Failed("plugin", f"it was built for ParaView {built.group(1)}, this is ParaView {running}: start the pvpython of "
-                     f"{built.group(1)}, or build Lamina against {running}")
 
 
 class Pipeline:
@@ -69,6 +37,7 @@ class Pipeline:
         self.stage = "start"
         self.stages = []
         self.stopped = False
+        self.silence = 0.0
         self.scratch = None
         self.running = None
         # pvpython prints through VTK's window of messages, which is caught here: print past it.
@@ -87,13 +56,15 @@ class Pipeline:
         self.stage = name
         self.tell(name)
         self.since = time.monotonic()
+        self.silence = 0.0
         if self.stopped:
             raise Failed(name, "stopped on request; nothing was written", STOPPED)
         print(f"{name} ...", flush=True)
 
     def end(self, **counts):
         seconds = time.monotonic() - self.since
-        entry = {"stage": self.stage, "seconds": round(seconds, 3), "peakMemoryMB": round(peak_memory(), 1), **counts}
+        entry = {"stage": self.stage, "seconds": round(seconds, 3), "longestSilence": round(self.silence, 3),
+                 "peakMemoryMB": round(peak_memory(), 1), **counts}
         self.stages.append(entry)
         text = ", ".join(f"{key} {value:,}" if isinstance(value, int) else f"{key} {value}"
                          for key, value in counts.items() if isinstance(value, (int, float, str)))
@@ -113,7 +84,17 @@ class Pipeline:
         def on_error(_, __, text):
             errors.append(text)
 
+        heard = time.monotonic()
+
+        def listen():
+            """How long it took to hear of the stage again: as long may it take to stop it."""
+            nonlocal heard
+            now = time.monotonic()
+            self.silence = max(self.silence, now - heard)
+            heard = now
+
         def on_progress(*_):
+            listen()
             # Running Python here also gives Ctrl-C its turn.
             if self.stopped:
                 algorithm.SetAbortExecute(1)
@@ -125,6 +106,7 @@ class Pipeline:
         self.catch_messages()
         self.running = algorithm
         proxy.UpdatePipeline()
+        listen()
         self.running = None
         for source, tag in tags:
             source.RemoveObserver(tag)
@@ -235,22 +217,37 @@ class Pipeline:
                                   MinimumSize=options.min_size or 0, MaximumSize=options.max_size or 0,
                                   Gradient=options.gradient)
         self.run_stage("Feature Size", size)
-        refine = simple.SurfaceRefinement(Input=size)
+        self.estimate(size, fluid, options)
+        refine = simple.SurfaceRefinement(Input=size, MemoryLimit=options.memory or 0)
         self.run_stage("Surface Refinement", refine)
         return refine
+
+    def estimate(self, size, fluid, options):
+        """Tell what is to come; end here if the machine cannot hold it."""
+        self.begin("Mesh Estimate")
+        stage = simple.MeshEstimate(Input=size, FluidMaterials=fluid, Layers=options.layers,
+                                    PrismLayers=options.prism_layers, MemoryLimit=options.memory or 0)
+        table, = self.update(stage)
+        report = report_of(table, self.stage)
+        cells = float(f"{report['cells']:.2g}")
+        what = f"about {cells:,.0f} cells, {report['memoryMB'] / 1024:.2g} GiB at the peak"
+        self.end(estimate=what, report=report)
+        if not report["fits"]:
+            raise Failed(self.stage, f"the mesh would take {what}, but {report['freeMB'] / 1024:.2g} GiB are free: ask for larger sizes (--min-size, --max-size) or fewer layers, or raise --memory if you know better")
 
     def fill(self, surface, solid, fluid, options):
         parts = []
         if solid:
             tets = simple.LayeredTetrahedra(Input=surface, SolidMaterials=solid, FluidMaterials=fluid,
-                                            Layers=options.layers, Anisotropy=options.anisotropy)
+                                            Layers=options.layers, Anisotropy=options.anisotropy,
+                                            MemoryLimit=options.memory or 0)
             self.run_stage("Layered Tetrahedra", tets)
             parts.append(tets)
         if fluid:
             prisms = simple.PrismLayer(Input=surface, FluidMaterials=fluid, Layers=options.prism_layers,
-                                       GrowthRatio=options.growth)
+                                       GrowthRatio=options.growth, MemoryLimit=options.memory or 0)
             self.run_stage("Prism Layer", prisms)
-            core = simple.CoreTetrahedra(Input=simple.OutputPort(prisms, 1))
+            core = simple.CoreTetrahedra(Input=simple.OutputPort(prisms, 1), MemoryLimit=options.memory or 0)
             self.run_stage("Core Tetrahedra", core)
             parts += [prisms, core]
         mesh = simple.FluidSolidMesh(Input=parts, Surface=surface, Scale=options.scale, Unit=options.unit, Names=options.names,

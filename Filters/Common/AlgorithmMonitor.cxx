@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AlgorithmMonitor.h"
 
+#include "Base/Memory.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkSMPTools.h>
 
@@ -134,6 +136,11 @@ void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
     }
     begin = end;
   }
+}
+
+double AlgorithmMonitor::FreeMemory()
+{
+  return this->MemoryLimit > 0 ? this->MemoryLimit * BytesPerGiB : lamina::FreeMemory();
 }
 
 } // namespace lamina

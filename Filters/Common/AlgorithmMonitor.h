@@ -22,6 +22,10 @@ public:
   void Progress(double fraction, const char* what) override;
   bool Cancelled() override;
   void For(Id count, Id grain, const Chunk& chunk) override;
+  /// What LimitMemory allows, else what is free.
+  double FreeMemory() override;
+  /// The memory the call may take, in GiB; 0: what is free when it asks.
+  void LimitMemory(double gibibytes) { this->MemoryLimit = gibibytes; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -33,6 +37,7 @@ private:
   int Threads;
   bool OwnScope;
   bool Stop = false;
+  double MemoryLimit = 0;
   double Fraction = 0;
   std::string What;
   Clock::time_point Told;

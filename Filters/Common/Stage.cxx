@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include "Base/Memory.h"
+
 #include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkSetGet.h>
@@ -51,7 +53,9 @@ int RunStage(vtkAlgorithm* self, const std::function<Status()>& work)
   }
   catch (const std::bad_alloc&)
   {
-    return Fail(self, Unreachable("out of memory: use a coarser image or larger sizes"));
+    return Fail(self, Unreachable("out of memory: this process holds " + MemoryText(PeakMemory()) + ", and " +
+                                  MemoryText(FreeMemory()) +
+                                  " are free: use a coarser image, larger sizes or fewer layers"));
   }
   catch (const std::exception& exception)
   {

@@ -85,6 +85,7 @@ int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector*
     return 1;
   }
   lamina::AlgorithmMonitor monitor(this);
+  monitor.LimitMemory(this->MemoryLimit);
   const auto work = [&]() -> lamina::Status
   {
     auto surface = lamina::ReadSurface(input, monitor);
@@ -131,4 +132,5 @@ void vtkFeatureSizeRefinement::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TargetArray: " << this->TargetArray << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "TangentialAnisotropy: " << this->TangentialAnisotropy << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -103,6 +103,15 @@ public:
   vtkGetMacro(TangentialAnisotropy, double);
   ///@}
 
+  ///@{
+  /**
+   * The memory that the filter may take, in GiB; it refuses what it estimates to take more. 0: what is free on
+   * the machine. Default: 0.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0, 1e9);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkFeatureSizeRefinement();
   ~vtkFeatureSizeRefinement() override = default;
@@ -120,6 +129,7 @@ private:
   double MergeRatio = 0.7;
   double Tolerance = 0.0;
   double TangentialAnisotropy = 1.0;
+  double MemoryLimit = 0.0;
 };
 
 #endif

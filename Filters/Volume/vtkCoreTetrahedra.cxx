@@ -84,6 +84,7 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
   }
   lamina::TriangleComplex refused;
   lamina::AlgorithmMonitor monitor(this);
+  monitor.LimitMemory(this->MemoryLimit);
   const auto work = [&]() -> lamina::Status
   {
     auto surface = lamina::ReadSurface(input, monitor);
@@ -143,4 +144,5 @@ void vtkCoreTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusEdgeRatio: " << this->RadiusEdgeRatio << "\n";
   os << indent << "SizeFactor: " << this->SizeFactor << "\n";
   os << indent << "MaximumEdge: " << this->MaximumEdge << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -61,6 +61,15 @@ public:
   vtkGetMacro(MaximumEdge, double);
   ///@}
 
+  ///@{
+  /**
+   * The memory that the filter may take, in GiB; it refuses what it estimates to take more. 0: what is free on
+   * the machine. Default: 0.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0, 1e9);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkCoreTetrahedra();
   ~vtkCoreTetrahedra() override = default;
@@ -76,6 +85,7 @@ private:
   double RadiusEdgeRatio = 1.4;
   double SizeFactor = 1.3;
   double MaximumEdge = 0.0;
+  double MemoryLimit = 0.0;
 };
 
 #endif

@@ -88,6 +88,7 @@ int vtkLayeredTetrahedra::RequestData(vtkInformation*, vtkInformationVector** in
     return 1;
   }
   lamina::AlgorithmMonitor monitor(this);
+  monitor.LimitMemory(this->MemoryLimit);
   const auto work = [&]() -> lamina::Status
   {
     const auto surface = lamina::ReadSurface(input, monitor);
@@ -148,4 +149,5 @@ void vtkLayeredTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusEdgeRatio: " << this->RadiusEdgeRatio << "\n";
   os << indent << "SizeFactor: " << this->SizeFactor << "\n";
   os << indent << "MaximumEdge: " << this->MaximumEdge << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -109,6 +109,15 @@ public:
   vtkGetMacro(MaximumEdge, double);
   ///@}
 
+  ///@{
+  /**
+   * The memory that the filter may take, in GiB; it refuses what it estimates to take more. 0: what is free on
+   * the machine. Default: 0.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0, 1e9);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkLayeredTetrahedra();
   ~vtkLayeredTetrahedra() override = default;
@@ -129,6 +138,7 @@ private:
   double RadiusEdgeRatio = 1.4;
   double SizeFactor = 1.3;
   double MaximumEdge = 0.0;
+  double MemoryLimit = 0.0;
 };
 
 #endif

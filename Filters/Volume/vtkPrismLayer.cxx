@@ -103,6 +103,7 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
     return 1;
   }
   lamina::AlgorithmMonitor monitor(this);
+  monitor.LimitMemory(this->MemoryLimit);
   const auto work = [&]() -> lamina::Status
   {
     const auto surface = lamina::ReadSurface(input, monitor);
@@ -166,4 +167,5 @@ void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EndColumns: " << this->EndColumns << "\n";
   os << indent << "NeighbourMaterials: " << lamina::Listed(this->NeighbourMaterials) << "\n";
   os << indent << "WallPatchIds: " << lamina::Listed(this->WallPatchIds) << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

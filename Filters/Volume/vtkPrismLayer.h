@@ -127,6 +127,15 @@ public:
   int GetWallPatchId(int index);
   ///@}
 
+  ///@{
+  /**
+   * The memory that the filter may take, in GiB; it refuses what it estimates to take more. 0: what is free on
+   * the machine. Default: 0.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0, 1e9);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkPrismLayer();
   ~vtkPrismLayer() override = default;
@@ -149,6 +158,7 @@ private:
   bool EndColumns = true;
   std::vector<int> NeighbourMaterials;
   std::vector<int> WallPatchIds;
+  double MemoryLimit = 0.0;
 };
 
 #endif

@@ -96,6 +96,8 @@ def table(folder):
         ("prism layers", [good, "--prism-layers", "0"], ["--prism-layers", "at least 1"]),
         ("growth", [good, "--growth", "0"], ["--growth", "positive"]),
         ("gradient", [good, "--gradient", "0"], ["--gradient", "positive"]),
+        ("no memory", [good, "--memory", "0.001"], ["Mesh Estimate", "cells", "0.001 GiB are free"]),
+        ("tiny sizes", [good, "--min-size", "0.0001", "--max-size", "0.0002"], ["Mesh Estimate", "larger sizes"]),
         ("scale", [good, "--scale", "nan"], ["--scale"]),
         ("unknown solid", [labels, "--labels", "--solid", "7"], ["--solid", "7", "1, 2"]),
         ("unknown fluid", [labels, "--labels", "--fluid", "9"], ["--fluid", "9", "1, 2"]),

@@ -18,7 +18,7 @@ EXPECTED = {
     "MultimaterialMarchingCubes", "VolumeConservingSmoothing", "FeatureSize", "SurfaceRefinement", "LayeredTetrahedra",
     "PrismLayer", "CoreTetrahedra", "FluidSolidMesh", "MeshAudit", "PropagateMask",
     "PrismstoTetrahedra", "QuadraticCells", "RuleBasedFibers", "AbaqusWriter", "GmshWriter", "SU2Writer", "NastranWriter", "LSDynaWriter",
-    "FEBioWriter", "CARPWriter", "OpenFOAMWriter", "SimVascularWriter", "FluidSolidExodusWriter", "VesselCut", "WallDepth",
+    "FEBioWriter", "CARPWriter", "OpenFOAMWriter", "SimVascularWriter", "FluidSolidExodusWriter", "VesselCut", "WallDepth", "MeshEstimate",
 }
 
 

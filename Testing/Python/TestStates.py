@@ -33,6 +33,7 @@ def build():
     smooth = s.VolumeConservingSmoothing(registrationName="VolumeConservingSmoothing", Input=cubes, Sweeps=12)
     sized = s.FeatureSize(registrationName="FeatureSize", Input=smooth, Layers=2, Gradient=0.4)
     fine = s.SurfaceRefinement(registrationName="SurfaceRefinement", Input=sized, Iterations=4)
+    s.MeshEstimate(registrationName="MeshEstimate", Input=sized, Layers=2, PrismLayers=3, MemoryLimit=100.0)
     solid = s.LayeredTetrahedra(registrationName="LayeredTetrahedra", Input=fine, Layers=2, SolidMaterials=[1])
     prisms = s.PrismLayer(registrationName="PrismLayer", Input=fine, Layers=3, GrowthRatio=1.3)
     core = s.CoreTetrahedra(registrationName="CoreTetrahedra", Input=port(prisms, 1), RadiusEdgeRatio=1.5)

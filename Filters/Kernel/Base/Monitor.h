@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 
 namespace lamina
 {
@@ -26,6 +27,8 @@ public:
   /// not depend on how the range was cut. Pieces may be left out once Cancelled() is true: test it after the
   /// loop.
   virtual void For(Id count, Id grain, const Chunk& chunk) = 0;
+  /// The memory that the call may take, in bytes; infinite if nobody says so.
+  virtual double FreeMemory() { return std::numeric_limits<double>::infinity(); }
 };
 
 /// A part of another monitor's progress range, for a call inside a call.
@@ -44,6 +47,7 @@ public:
   }
   bool Cancelled() override { return this->Parent.Cancelled(); }
   void For(Id count, Id grain, const Chunk& chunk) override { this->Parent.For(count, grain, chunk); }
+  double FreeMemory() override { return this->Parent.FreeMemory(); }
 
 private:
   Monitor& Parent;

@@ -3,6 +3,7 @@
 
 #include "../Mesh/Closedness.h"
 #include "../Search/SelfIntersection.h"
+#include "../Sizing/RefinementDemand.h"
 #include "HiddenNodes.h"
 #include "RefinedVolumes.h"
 #include "Refinement.h"
@@ -101,6 +102,10 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   if (!checked)
   {
     return checked.GetError();
+  }
+  if (const auto error = CheckMemory(RefinementDemand(surface), "triangles", monitor))
+  {
+    return *error;
   }
   if (const auto error = CheckEmbedded(surface.points, surface.triangles, "the surface to refine", monitor))
   {

@@ -2,10 +2,12 @@
 #include "CoreTets.h"
 
 #include "../Geometry/Quality.h"
+#include "../Mesh/Adjacency.h"
 #include "CoreTetsFill.h"
 #include "CoreTetsInput.h"
 #include "FrontCells.h"
 #include "GradedPoints.h"
+#include "MeshEstimate.h"
 
 #include <algorithm>
 
@@ -88,6 +90,12 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
                            const CoreTetsOptions& options, VolumeMesh& mesh, Monitor& monitor,
                            CoreTetsReport& report)
 {
+  const MemoryDemand demand =
+    CoreTetsDemand(surface, AsItIs(surface), MaterialsOf(surface), options.maximumEdge);
+  if (const auto error = CheckMemory(demand, "tetrahedra", monitor))
+  {
+    return *error;
+  }
   monitor.Progress(0, "Checking the surface");
   if (auto error = CheckCoreSurface(surface, interior, report, monitor))
   {

@@ -3,6 +3,7 @@
 
 #include "ImproveLayers.h"
 #include "LayerMesh.h"
+#include "MeshEstimate.h"
 #include "MiddlePoints.h"
 #include "PoorLayers.h"
 
@@ -225,6 +226,11 @@ Result<LayersReport> MeshLayeredTets(const TriangleComplex& surface, const Layer
   if (materials->empty())
   {
     return report;
+  }
+  const MemoryDemand demand = LayeredTetsDemand(surface, AsItIs(surface), *materials, options.layers);
+  if (const auto error = CheckMemory(demand, "tetrahedra", monitor))
+  {
+    return *error;
   }
   if (const auto error = CheckLayerSurface(surface, monitor))
   {

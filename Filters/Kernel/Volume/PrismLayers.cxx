@@ -3,6 +3,7 @@
 
 #include "FrontCaps.h"
 #include "LayerMesh.h"
+#include "MeshEstimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,6 +221,11 @@ Result<LayersReport> GrowPrismLayers(const TriangleComplex& surface, const Prism
   if (materials->empty())
   {
     return report;
+  }
+  const MemoryDemand demand = PrismsDemand(surface, AsItIs(surface), *materials, options.layers);
+  if (const auto error = CheckMemory(demand, "prisms", monitor))
+  {
+    return *error;
   }
   if (const auto error = CheckLayerSurface(surface, monitor))
   {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How many triangles a surface gets by its target edge lengths, told before it is refined.
+#pragma once
+
+#include "../Base/Memory.h"
+#include "../Mesh/TriangleComplex.h"
+
+namespace lamina
+{
+
+/// How many triangles each triangle becomes (below 1: it is merged with others), by its area and the target
+/// edge lengths at its corners; 1 for all without targets.
+std::vector<double> TrianglesWanted(const TriangleComplex& surface);
+
+/// What Surface Refinement makes of the surface.
+MemoryDemand RefinementDemand(const TriangleComplex& surface);
+
+} // namespace lamina
