@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the time of whole runs of Utilities/mesh.sh goes: seconds, share, elements a second and memory of each stage.
+"""Where the time of whole runs of Utilities/mesh.sh goes: seconds, share, elements a second and memory of each stage, and
+the longest time between two words of its progress.
 
     python3 BenchmarkPipeline.py [--data SHARED_DATA] [--cases 60,120,240,heart_cta] [--threads 1,2] [--runs N] [--json FILE]
                                  [-- OPTIONS OF mesh.sh]
@@ -67,12 +68,14 @@ def rate(count, time):
 def tell(name, threads, report):
     whole = seconds(report)
     rows = [[stage["stage"], f"{stage['seconds']:.1f}", f"{100 * stage['seconds'] / whole:.0f} %", f"{elements(stage):,}",
-             rate(elements(stage), stage["seconds"]), f"{stage['peakMemoryMB']:,.0f}"] for stage in report["stages"]]
+             rate(elements(stage), stage["seconds"]), f"{stage['peakMemoryMB']:,.0f}", f"{stage['longestSilence']:.2f}"] for stage in report["stages"]]
     cells = max(elements(stage) for stage in report["stages"] if stage["stage"] == "Fluid-Solid Mesh")
     rows.append(["all", f"{whole:.1f}", "100 %", f"{cells:,}", rate(cells, whole),
-                 f"{max(stage['peakMemoryMB'] for stage in report['stages']):,.0f}"])
+                 f"{max(stage['peakMemoryMB'] for stage in report['stages']):,.0f}",
+                 f"{max(stage['longestSilence'] for stage in report['stages']):.2f}"])
     print(f"## {name}, {threads} thread{'s' if threads > 1 else ''}\n")
-    print("\n".join(table(["stage", "seconds", "share", "elements", "elements a second", "peak memory so far, MB"], rows)), flush=True)
+    print("\n".join(table(["stage", "seconds", "share", "elements", "elements a second", "peak memory so far, MB", "longest silence, s"],
+                          rows)), flush=True)
 
 
 def times(report):

@@ -10,7 +10,8 @@ import sys
 import tempfile
 
 STAGES = ["Reading", "Multimaterial Segmentation", "Multimaterial Marching Cubes", "Volume-Conserving Smoothing", "Feature Size",
-          "Surface Refinement", "Layered Tetrahedra", "Prism Layer", "Core Tetrahedra", "Fluid-Solid Mesh", "Mesh Audit", "Writing"]
+          "Mesh Estimate", "Surface Refinement", "Layered Tetrahedra", "Prism Layer", "Core Tetrahedra", "Fluid-Solid Mesh", "Mesh Audit",
+          "Writing"]
 
 
 def main():

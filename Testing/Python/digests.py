@@ -14,8 +14,8 @@ def arrays_of(data):
     if data.IsA("vtkPointSet") and data.GetPoints():
         parts["points"] = data.GetPoints().GetData()
     for name in ("GetCells", "GetPolys"):
-        if hasattr(data, name) and not data.IsA("vtkImageData"):
-            cells = getattr(data, name)()
+        cells = getattr(data, name)() if hasattr(data, name) and not data.IsA("vtkImageData") else None
+        if cells is not None:  # a grid that was never filled has none
             parts[name + " nodes"] = cells.GetConnectivityArray()
             parts[name + " offsets"] = cells.GetOffsetsArray()
     for kind, held in (("point", data.GetPointData()), ("cell", data.GetCellData())):
