@@ -6,6 +6,7 @@
 // (the child; else TetGen runs inside), verbose (where bad tets are).
 #include "../Kernel/LayerRays.h"
 #include "Geometry/Quality.h"
+#include "Search/TriangleTree.h"
 #include "SizedSurfaces.h"
 #include "Surface/RefineSurface.h"
 #include "Volume/LayeredTets.h"
@@ -104,9 +105,9 @@ void PrintTet(const VolumeMesh& mesh, Id cell, double quality, bool isListed)
         ++k;
       }
       const int l = 6 - i - j - k;
-      std::printf(" %d-%d: length %.3f angle %.0f", i, j, Norm(mesh.points[U(n[i])] - mesh.points[U(n[j])]),
-                  AngleAt(mesh.points[U(n[i])], mesh.points[U(n[j])], mesh.points[U(n[k])],
-                          mesh.points[U(n[l])]));
+      std::printf(
+        " %d-%d: length %.3f angle %.0f", i, j, Norm(mesh.points[U(n[i])] - mesh.points[U(n[j])]),
+        AngleAt(mesh.points[U(n[i])], mesh.points[U(n[j])], mesh.points[U(n[k])], mesh.points[U(n[l])]));
       if (wedge > 0)
       {
         std::printf(" of %.0f in %d tets", wedge, tets);
@@ -157,6 +158,69 @@ void PrintQuality(const VolumeMesh& mesh, const std::vector<Id>& hidden, bool ve
   std::printf("  tets with angles outside of 8 to 170 degrees: %lld (%.4f %%); with layers two apart: %lld\n",
               badAngles, 100.0 * static_cast<double>(badAngles) / static_cast<double>(mesh.CellCount()),
               skipping);
+}
+
+/// The metric of the layers round a wall's triangles: lengths across count by how much longer the edges along
+/// the wall are than the layers are thick, at most the anisotropy asked for.
+class LayerMetric
+{
+public:
+  LayerMetric(const TriangleComplex& surface, const LayeredTetsOptions& options)
+    : Surface(surface)
+    , Options(options)
+    , Tree(surface.points, surface.triangles)
+  {
+  }
+
+  std::array<Vec3, 4> Stretched(std::array<Vec3, 4> corners, int material) const
+  {
+    const Vec3 centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+    const Id t = this->Tree.ClosestPoint(centre).triangle;
+    const Triangle& c = this->Surface.triangles[U(t)];
+    const auto& sized = this->Surface.sizedMaterials;
+    const std::size_t column =
+      static_cast<std::size_t>(std::find(sized.begin(), sized.end(), material) - sized.begin());
+    double edge = 0;
+    double thickness = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edge += Norm(this->Surface.points[U(c[k])] - this->Surface.points[U(c[(k + 1) % 3])]) / 3;
+      thickness += this->Surface.thickness[U(c[k]) * sized.size() + column] / 3;
+    }
+    // NaN where the nearest wall is another material's.
+    const double wanted = edge * this->Options.layers / thickness;
+    const double factor = wanted > 1 ? std::min(wanted, this->Options.anisotropy) : 1;
+    const Vec3 normal = Normalized(AreaVector2(this->Surface.points, c));
+    for (Vec3& p : corners)
+    {
+      p += (factor - 1) * Dot(p - centre, normal) * normal;
+    }
+    return corners;
+  }
+
+private:
+  const TriangleComplex& Surface;
+  const LayeredTetsOptions& Options;
+  TriangleTree Tree;
+};
+
+void PrintLayerQuality(const VolumeMesh& mesh, const LayerMetric& metric)
+{
+  double least = 1;
+  Id below = 0;
+  Id badAngles = 0;
+  for (Id c = 0; c < mesh.CellCount(); ++c)
+  {
+    const auto p = metric.Stretched(Corners(mesh, c), mesh.materials[U(c)]);
+    const double quality = TetQuality(p[0], p[1], p[2], p[3]);
+    const auto angles = TetDihedralAngles(p[0], p[1], p[2], p[3]);
+    least = std::min(least, quality);
+    below += quality <= poor ? 1 : 0;
+    badAngles += angles[0] < 8 || angles[1] > 170 ? 1 : 0;
+  }
+  std::printf("  in the layers' metric: least %.4f; at most 0.1: %lld; angles out of range: %lld (%.4f %%)\n",
+              least, below, badAngles,
+              100.0 * static_cast<double>(badAngles) / static_cast<double>(mesh.CellCount()));
 }
 
 /// Volume against the surface, and the surface's triangles as faces.
@@ -260,6 +324,7 @@ int main(int argc, char** argv)
               report->columns, report->thinnedColumns, report->stoppedColumns, report->shortenedColumns,
               refined->hiddenPoints.size());
   PrintQuality(mesh, refined->hiddenPoints, arguments.Get("verbose", 0) > 0);
+  PrintLayerQuality(mesh, LayerMetric(surface, options));
   PrintFit(surface, mesh, options.materials, monitor);
   PrintRays(surface, mesh, onSurface, options, static_cast<Id>(arguments.Get("rays", 20000)));
   return 0;

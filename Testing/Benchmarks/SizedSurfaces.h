@@ -93,7 +93,7 @@ inline TriangleComplex Load(std::ifstream& file, double& voxel)
 }
 
 /// The surface of a .labels or .surface file (WriteRefinementInputs.py) with feature sizes, or of a .sized
-/// file, which has them. NAME=VALUE: layers, minimum, maximum.
+/// file, which has them. NAME=VALUE: layers, anisotropy, minimum, maximum.
 inline TriangleComplex Sized(const std::string& path, const Arguments& arguments, double& voxel,
                              Monitor& monitor)
 {
@@ -106,6 +106,8 @@ inline TriangleComplex Sized(const std::string& path, const Arguments& arguments
     EndsWith(path, ".labels") ? FromLabels(file, voxel, monitor) : FromTriangles(file);
   FeatureSizeOptions sizing;
   sizing.layers = static_cast<int>(arguments.Get("layers", sizing.layers));
+  sizing.anisotropy = arguments.Get("anisotropy", sizing.anisotropy);
+  sizing.edgePerLayer = std::max(sizing.edgePerLayer, sizing.anisotropy);
   sizing.minimum = arguments.Get("minimum", 0);
   sizing.maximum = arguments.Get("maximum", 0);
   Demand(ComputeFeatureSize(surface, sizing, monitor), "size");
