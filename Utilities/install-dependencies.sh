@@ -8,7 +8,7 @@ packages="g++ cmake ninja-build ccache clang-format xsltproc paraview paraview-d
   libqt5xmlpatterns5-dev libutfcpp-dev libdouble-conversion-dev libgtest-dev python3-numpy python3-scipy xvfb xauth imagemagick"
 case ${1:-} in
   "") ;;
-  --all) packages="$packages gmsh python3-meshio openfoam calculix-ccx" ;;
+  --all) packages="$packages gmsh python3-gmsh libtbb-dev python3-meshio openfoam calculix-ccx" ;;
   *)
     echo "usage: Utilities/install-dependencies.sh [--all]" >&2
     exit 2
