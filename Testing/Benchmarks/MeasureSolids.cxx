@@ -204,13 +204,20 @@ private:
   TriangleTree Tree;
 };
 
+/// Of the tets in columns: the core has no layers.
 void PrintLayerQuality(const VolumeMesh& mesh, const LayerMetric& metric)
 {
   double least = 1;
   Id below = 0;
   Id badAngles = 0;
+  Id count = 0;
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
+    if (mesh.layers[U(c)] == 0)
+    {
+      continue;
+    }
+    ++count;
     const auto p = metric.Stretched(Corners(mesh, c), mesh.materials[U(c)]);
     const double quality = TetQuality(p[0], p[1], p[2], p[3]);
     const auto angles = TetDihedralAngles(p[0], p[1], p[2], p[3]);
@@ -218,9 +225,11 @@ void PrintLayerQuality(const VolumeMesh& mesh, const LayerMetric& metric)
     below += quality <= poor ? 1 : 0;
     badAngles += angles[0] < 8 || angles[1] > 170 ? 1 : 0;
   }
-  std::printf("  in the layers' metric: least %.4f; at most 0.1: %lld; angles out of range: %lld (%.4f %%)\n",
-              least, below, badAngles,
-              100.0 * static_cast<double>(badAngles) / static_cast<double>(mesh.CellCount()));
+  std::printf(
+    "  in the layers' metric, %lld tets of columns: least %.4f; at most 0.1: %lld; angles out of range: "
+    "%lld (%.4f %%)\n",
+    count, least, below, badAngles,
+    100.0 * static_cast<double>(badAngles) / static_cast<double>(std::max<Id>(1, count)));
 }
 
 /// Volume against the surface, and the surface's triangles as faces.
