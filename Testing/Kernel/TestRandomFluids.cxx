@@ -135,9 +135,7 @@ void ExpectGoodFluids(unsigned seed, unsigned largest)
   const auto filled = MeshCoreTets(layers.front, {}, {}, core, monitor);
   ASSERT_TRUE(filled) << filled.GetError().message;
   EXPECT_EQ(filled->rung, 1);
-  // Between folds of noise the core was seen to stay at 0.05 in some images.
-  EXPECT_GT(filled->leastQuality, 0.04);
-  EXPECT_GT(filled->aboveGate, 0.9995);
+  EXPECT_GT(filled->leastQuality, 0.1);
   std::fill(core.interfaceNodeIds.begin(), core.interfaceNodeIds.end(), -1);
   for (Id c = 0; c < layers.mesh.CellCount(); ++c)
   {

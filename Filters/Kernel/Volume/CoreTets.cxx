@@ -6,6 +6,8 @@
 #include "CoreTetsInput.h"
 #include "FrontCells.h"
 #include "GradedPoints.h"
+#include "ImproveFaces.h"
+#include "ImproveStuck.h"
 
 #include <algorithm>
 
@@ -66,21 +68,24 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
   report.aboveGate = report.tets > 0 ? (report.aboveGate - 1) / static_cast<double>(report.tets) : 1;
 }
 
-/// Betters the tets; if there are prisms behind the surface the worst by their shape first, then all with an
-/// eye on these.
+/// Betters the tets by their shape first, the stuck ones by force; then, if there are prisms behind the
+/// surface, with an eye on these; the faces between cells at last.
 void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
 {
   const FrontCells behind(surface);
   ImproveTetsOptions options;
-  if (!surface.layerSide.empty())
+  const bool hasPrisms = !surface.layerSide.empty();
+  options.target = hasPrisms ? ShapeFirst : options.target;
+  ImproveTets(set, options, monitor);
+  ImproveStuck(set, {}, monitor);
+  if (hasPrisms)
   {
-    options.target = ShapeFirst;
-    ImproveTets(set, options, monitor);
     options = {};
     options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
     set.front = &behind;
+    ImproveTets(set, options, monitor);
   }
-  ImproveTets(set, options, monitor);
+  ImproveFaces(set, {}, monitor);
   set.front = nullptr;
 }
 

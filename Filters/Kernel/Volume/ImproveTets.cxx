@@ -61,23 +61,6 @@ std::vector<Id> FindBad(const TetSet& set, double target, Monitor& monitor)
   return bad;
 }
 
-/// Takes out the tets that operations left behind (first node -1).
-void Compact(TetSet& set)
-{
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < set.tets.size(); ++from)
-  {
-    if (set.tets[from][0] >= 0)
-    {
-      set.tets[to] = set.tets[from];
-      set.groups[to] = set.groups[from];
-      ++to;
-    }
-  }
-  set.tets.resize(to);
-  set.groups.resize(to);
-}
-
 Id CountOf(const ImproveTetsReport& report)
 {
   return report.edgesRemoved + report.facesFlipped + report.cavitiesFilled + report.pointsMoved +
@@ -155,7 +138,7 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, 
       Better(cavity, set, bad[i], limits, hopeless, report);
     }
   }
-  Compact(set);
+  DropReplaced(set);
   return CountOf(report) > before;
 }
 

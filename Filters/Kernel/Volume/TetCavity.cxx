@@ -43,6 +43,22 @@ double WorthOfTet(const TetSet& set, const std::array<Id, 4>& c)
   return set.front == nullptr || !(shape > 0) ? shape : std::min(shape, set.front->FitOf(c, p));
 }
 
+void DropReplaced(TetSet& set)
+{
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < set.tets.size(); ++from)
+  {
+    if (set.tets[from][0] >= 0)
+    {
+      set.tets[to] = set.tets[from];
+      set.groups[to] = set.groups[from];
+      ++to;
+    }
+  }
+  set.tets.resize(to);
+  set.groups.resize(to);
+}
+
 TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
   : Set(set)
   , Slot(set.points.size(), -1)
@@ -174,7 +190,7 @@ void TetCavity::Apply(const Change& change)
   }
 }
 
-void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
+void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best, double enough) const
 {
   // Two tets on a face (a, b, c) with apices d and e become three round the edge (d, e).
   const Tet& own = this->Set.tets[Index(tet)];
@@ -204,8 +220,8 @@ void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
       change.in.push_back({ { face[(k + 1) % 3], face[k], e, d } });
       change.quality = std::min(change.quality, this->Quality(change.in.back()));
     }
-    if (change.quality > std::max(best.quality, this->LeastOf(change.out) + LeastGain) &&
-        this->IsSound(change.in))
+    const double asked = std::min(enough, this->LeastOf(change.out) + LeastGain);
+    if (change.quality > std::max(best.quality, asked) && this->IsSound(change.in))
     {
       best = std::move(change);
     }

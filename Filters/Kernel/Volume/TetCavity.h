@@ -16,6 +16,13 @@ double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// The same, and its fit to the prisms behind.
 double WorthOfTet(const TetSet& set, const std::array<Id, 4>& tet);
 
+/// Takes out the tets that operations left behind (first node -1).
+void DropReplaced(TetSet& set);
+
+/// How bad a face between two cells with these centres is: the greater of its non-orthogonality over 85
+/// degrees and its skewness over 4.
+double FaceExcess(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far);
+
 /// From `start` uphill to where the score is best near it, with steps of `step` at first; score() is never
 /// called last with the answer.
 Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score);
@@ -54,6 +61,11 @@ public:
   /// `acrossLayers`; `taken` gets them then.
   Done Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken);
   Done Insert(Id tet);
+  /// The worst of the tet's faces towards others of its group and the prisms behind (FaceExcess()).
+  double WorstFace(Id tet) const;
+  /// Moves a free point of the tet, or flips or removes what is at its faces, if that lowers the worst face
+  /// of all that is touched and no tet becomes worse than it was or `enough`. False: nothing could be done.
+  bool BetterFaces(Id tet, double enough);
 
 private:
   /// Tets to take out, those to put in, and the least quality of the new ones.
@@ -80,8 +92,16 @@ private:
   {
     return this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[static_cast<std::size_t>(point)];
   }
-  void RemoveEdge(Id tet, Id a, Id b, Change& best) const;
-  void FlipFace(Id tet, std::size_t opposite, Change& best) const;
+  /// Changes that raise the least quality above that of `best` are taken for it; new tets may be as poor as
+  /// `enough` in any case.
+  void RemoveEdge(Id tet, Id a, Id b, Change& best, double enough = 1) const;
+  void FlipFace(Id tet, std::size_t opposite, Change& best, double enough = 1) const;
+  /// The worst face of tets that stand, or would stand, in the place of some.
+  double WorstOf(const std::vector<Tet>& tets, const std::vector<Id>& instead) const;
+  double ExcessOf(const Tet& tet, std::size_t opposite, const std::vector<Tet>& tets,
+                  const std::vector<Id>& instead) const;
+  std::vector<Tet> CornersOf(const std::vector<Id>& tets) const;
+  bool MoveForFaces(Id point, double enough);
   /// The best tets instead of a ring of them round edge (a, b), and their least quality; none if not above
   /// `floor`.
   double Triangulate(const std::vector<Id>& ring, Id a, Id b, double floor, std::vector<Tet>& in) const;
