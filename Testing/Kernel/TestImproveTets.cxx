@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShakenGrids.h"
+#include "Volume/ChangeClock.h"
 
 using namespace lamina;
 using namespace shaken;
@@ -145,4 +146,20 @@ TEST(ImproveTets, CancelLeavesASoundMesh)
   TetSet none;
   ThreadMonitor other;
   EXPECT_EQ(ImproveTets(none, {}, other).left, 0);
+}
+
+TEST(ChangeClock, KnowsWhatHasChangedSince)
+{
+  ChangeClock clock;
+  const std::size_t start = clock.Now();
+  EXPECT_FALSE(clock.HasChangedSince(7, start)) << "never marked";
+  clock.Mark({ { 3, 1, 4, 7 } });
+  const std::size_t first = clock.Now();
+  EXPECT_TRUE(clock.HasChangedSince(7, start));
+  EXPECT_FALSE(clock.HasChangedSince(7, first));
+  EXPECT_FALSE(clock.HasChangedSince(2, start));
+  clock.Mark({ { 2, 3, 900, 5 } });
+  EXPECT_TRUE(clock.HasChangedSince(3, first));
+  EXPECT_TRUE(clock.HasChangedSince(900, first));
+  EXPECT_FALSE(clock.HasChangedSince(7, first));
 }

@@ -129,6 +129,10 @@ ImproveStuckReport ImproveStuck(TetSet& set, const ImproveStuckOptions& options,
     const double done = round / static_cast<double>(options.rounds);
     SubMonitor within(monitor, done, done); // improvements of patches are no progress of their own
     const std::vector<Id> poor = FindPoor(set, options.gate, monitor);
+    if (poor.empty())
+    {
+      break;
+    }
     TetPatches patches(set, options.rings);
     bool isBetter = false;
     for (std::size_t i = 0; i < poor.size() && !monitor.Cancelled(); ++i)

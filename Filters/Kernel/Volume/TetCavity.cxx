@@ -59,8 +59,9 @@ void DropReplaced(TetSet& set)
   set.groups.resize(to);
 }
 
-TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
+TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around, ChangeClock* clock)
   : Set(set)
+  , Clock(clock)
   , Slot(set.points.size(), -1)
 {
   for (Id t : around)
@@ -107,6 +108,21 @@ double TetCavity::LeastOf(const std::vector<Id>& tets) const
   for (Id t : tets)
   {
     least = std::min(least, this->Quality(this->Set.tets[Index(t)]));
+  }
+  return least;
+}
+
+double TetCavity::LeastOf(std::vector<Id>& tets, double enough) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Id& t : tets)
+  {
+    least = std::min(least, this->Quality(this->Set.tets[Index(t)]));
+    if (least <= enough)
+    {
+      std::swap(t, tets.front());
+      break;
+    }
   }
   return least;
 }
@@ -166,6 +182,10 @@ void TetCavity::Apply(const Change& change)
   }
   for (Id t : change.out)
   {
+    if (this->Clock != nullptr)
+    {
+      this->Clock->Mark(this->Set.tets[Index(t)]);
+    }
     for (Id p : this->Set.tets[Index(t)])
     {
       if (this->IsKnown(p))
@@ -178,6 +198,10 @@ void TetCavity::Apply(const Change& change)
   }
   for (const Tet& tet : change.in)
   {
+    if (this->Clock != nullptr)
+    {
+      this->Clock->Mark(tet);
+    }
     for (Id p : tet)
     {
       if (this->IsKnown(p))

@@ -2,6 +2,7 @@
 // The operations on single tetrahedra that ImproveTets is made of.
 #pragma once
 
+#include "ChangeClock.h"
 #include "ImproveTets.h"
 
 #include <functional>
@@ -23,9 +24,11 @@ void DropReplaced(TetSet& set);
 /// degrees and its skewness over 4.
 double FaceExcess(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far);
 
+/// The score of a place; whatever is no more than the second argument will do instead if it is no more.
+using PlaceScore = std::function<double(const Vec3&, double)>;
 /// From `start` uphill to where the score is best near it, with steps of `step` at first; score() is never
 /// called last with the answer.
-Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score);
+Vec3 SearchBest(const Vec3& start, double step, const PlaceScore& score);
 
 /// The surroundings of some tets of a set, open to reconnection. Tets taken out keep their place with -1 as
 /// first node, new ones are appended.
@@ -44,7 +47,7 @@ public:
   };
 
   /// Only the points of the tets `around` get their tets known.
-  TetCavity(TetSet& set, const std::vector<Id>& around);
+  TetCavity(TetSet& set, const std::vector<Id>& around, ChangeClock* clock = nullptr);
 
   /// See WorthOfTet().
   double Quality(const Tet& tet) const;
@@ -61,6 +64,10 @@ public:
   /// `acrossLayers`; `taken` gets them then.
   Done Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken);
   Done Insert(Id tet);
+  bool IsKnown(Id point) const;
+  /// From here on `points` gets the points of all tets that operations look at beyond the stars of their
+  /// tet's own points; null: no longer.
+  void Watch(std::vector<Id>* points) { this->Watched = points; }
   /// The worst of the tet's faces towards others of its group and the prisms behind (FaceExcess()).
   double WorstFace(Id tet) const;
   /// Moves a free point of the tet, or flips or removes what is at its faces, if that lowers the worst face
@@ -109,13 +116,17 @@ private:
   bool IsInterior(Id point) const;
   bool MovePoint(Id point);
   bool Allows(Id a, Id b) const;
-  bool IsKnown(Id point) const;
   const std::vector<Id>& TetsOf(Id point) const;
   double LeastOf(const std::vector<Id>& tets) const;
+  /// The same, but any value up to `enough` if it is no more. The tet that decides comes to the front, as it
+  /// will often decide again.
+  double LeastOf(std::vector<Id>& tets, double enough) const;
   bool IsSound(const std::vector<Tet>& tets) const;
   void Apply(const Change& change);
 
   TetSet& Set;
+  ChangeClock* Clock;
+  std::vector<Id>* Watched = nullptr;
   std::vector<Id> Slot; ///< one a point: where its tets stand in Stars, -1 unknown
   std::vector<std::vector<Id>> Stars;
 };

@@ -7,6 +7,7 @@
 #include "../Mesh/TetFaces.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -121,15 +122,15 @@ bool TetCavity::MoveForFaces(Id point, double enough)
       edge = p == point ? edge : std::min(edge, Norm(this->Set.points[Index(p)] - start));
     }
   }
-  const auto score = [&](const Vec3& to)
+  const auto score = [&](const Vec3& to, double)
   {
     place = to;
     const bool isGood = this->LeastOf(star) >= asked;
     return isGood ? -this->WorstOf(tets, star) : -std::numeric_limits<double>::infinity();
   };
-  const double before = score(start);
+  const double before = score(start, 0);
   const Vec3 best = SearchBest(start, 0.2 * edge, score);
-  if (score(best) > before + LeastGain && this->IsSound(tets))
+  if (score(best, 0) > before + LeastGain && this->IsSound(tets))
   {
     return true;
   }
