@@ -70,14 +70,17 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
 
 /// Betters the tets by their shape first, the stuck ones by force; then, if there are prisms behind the
 /// surface, with an eye on these; the faces between cells at last.
-void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
+void Improve(const TriangleComplex& surface, const CoreTetsOptions& asked, TetSet& set, Monitor& monitor)
 {
   const FrontCells behind(surface);
   ImproveTetsOptions options;
   const bool hasPrisms = !surface.layerSide.empty();
   options.target = hasPrisms ? ShapeFirst : options.target;
   ImproveTets(set, options, monitor);
-  ImproveStuck(set, {}, monitor);
+  if (asked.isThorough)
+  {
+    ImproveStuck(set, {}, monitor);
+  }
   if (hasPrisms)
   {
     options = {};
@@ -85,7 +88,10 @@ void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
     set.front = &behind;
     ImproveTets(set, options, monitor);
   }
-  ImproveFaces(set, {}, monitor);
+  if (asked.isThorough)
+  {
+    ImproveFaces(set, {}, monitor);
+  }
   set.front = nullptr;
 }
 
@@ -109,7 +115,7 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
   set.fixed.assign(set.points.size(), 0);
   std::fill_n(set.fixed.begin(), surface.points.size(), 1);
   SubMonitor improving(monitor, 0.85, 1);
-  Improve(surface, set, improving);
+  Improve(surface, options, set, improving);
   if (monitor.Cancelled())
   {
     return Cancelled();
