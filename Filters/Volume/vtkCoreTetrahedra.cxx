@@ -110,7 +110,7 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
       surface->layerSide.push_back({ (*sides)[i], (*sides)[i + 1], (*sides)[i + 2] });
     }
     const lamina::CoreTetsOptions options{ lamina::FindProgram("lamina-tetgen"), this->RadiusEdgeRatio,
-                                           this->SizeFactor, this->MaximumEdge };
+                                           this->SizeFactor, this->MaximumEdge, true };
     lamina::VolumeMesh mesh;
     lamina::CoreTetsReport onFailure;
     const auto report = lamina::MeshCoreTets(*surface, {}, options, mesh, monitor, &onFailure);

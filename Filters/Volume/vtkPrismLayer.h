@@ -16,17 +16,14 @@
  *
  * Points are marched inwards along directions that see all faces around them, each layer thicker than the one
  * before by GrowthRatio, and no farther than the room in front of them allows; then the front is smoothed.
- * R. Loehner, J. Cebral, Generation of non-isotropic unstructured grids via directional enrichment, Int. J.
- * Numer. Meth. Eng. 49 (2000) 219-232; V. Dyedov and others, Variational generation of prismatic
- * boundary-layer meshes for biomedical computing, Int. J. Numer. Meth. Eng. 79 (2009) 907-945.
+ * R. Loehner, J. Cebral, Generation of non-isotropic unstructured grids via directional enrichment, IJNME 49
+ * (2000); V. Dyedov and others, Variational generation of prismatic boundary-layer meshes, IJNME 79 (2009).
  *
  * Every triangle of a fluid's wall belongs unchanged to one cell; the Jacobian of every cell is positive
  * everywhere; the inner surface does not intersect itself, tested exactly.
  *
- * @warning Layers are thinner or fewer where there is little room: see LayersAchieved and LayerFraction on
- * port 2.
- * @warning A material named in FluidMaterials that the surface lacks is an error, but for the default list:
- * that warns.
+ * @warning Layers are thinner or fewer where there is little room: LayersAchieved, LayerFraction on port 2.
+ * @warning A material of FluidMaterials that the surface lacks is an error; of the default list, a warning.
  * @warning This class has been threaded with vtkSMPTools.
  *
  * @sa vtkFeatureSizeRefinement vtkCoreTetrahedra vtkFluidSolidMesh
@@ -74,8 +71,7 @@ public:
 
   ///@{
   /**
-   * The height of all layers together, as a share of the local feature size, above 0, at most 0.45. Default:
-   * 0.25.
+   * The height of all layers together over the local feature size, above 0, at most 0.45. Default: 0.25.
    */
   vtkSetMacro(Thickness, double);
   vtkGetMacro(Thickness, double);

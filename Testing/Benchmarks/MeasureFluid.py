@@ -15,6 +15,7 @@ from types import SimpleNamespace
 
 import lamina  # noqa: F401  before any object of the plugin is looked at
 import numpy as np
+from ClosedSurfaces import FILES, read_closed_surface
 from FluidFigures import Cells, face_figures
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -22,8 +23,6 @@ sys.path.insert(0, os.path.join(HERE, "..", "..", "Examples"))
 from lamina_images import read_image  # noqa: E402
 from lamina_pipeline import Pipeline, load_plugin, output_of, producer, read_mask, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData  # noqa: E402
-from vtkmodules.vtkIOGeometry import vtkSTLReader  # noqa: E402
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter  # noqa: E402
 
 #: where no direction into a material sees all faces with a cosine of 0.4 (Surface Refinement)
@@ -39,14 +38,6 @@ def options(**changed):
     return SimpleNamespace(**{**SIZES, **changed})
 
 
-def closed_surface(reader, path):
-    reader.SetFileName(path)
-    clean = vtkCleanPolyData()
-    clean.SetInputConnection(reader.GetOutputPort())
-    clean.Update()
-    return clean.GetOutput()
-
-
 def sized(surface, layers):
     size = simple.FeatureSize(Input=producer(surface), Layers=layers)
     refined = simple.SurfaceRefinement(Input=size)
@@ -56,10 +47,8 @@ def sized(surface, layers):
 
 def make_surface(name, data, layers):
     pipeline = Pipeline()
-    if name == "vmtk_aorta":
-        return sized(closed_surface(vtkSTLReader(), os.path.join(data, name, "aorta-surface.stl")), layers)
-    if name == "biv_heart_surface":
-        return sized(closed_surface(vtkXMLPolyDataReader(), os.path.join(data, name, "heart.vtp")), layers)
+    if name in FILES:
+        return sized(read_closed_surface(data, name), layers)
     pipeline.grey = None
     if name == "heart_cta":
         scan = read_image(os.path.join(data, name, "ct.mha"))

@@ -12,15 +12,13 @@ from types import SimpleNamespace
 
 import lamina  # noqa: F401  before any object of the plugin is looked at
 import numpy as np
+from ClosedSurfaces import read_closed_surface
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Examples"))
 from lamina_images import read_image  # noqa: E402
 from lamina_pipeline import Pipeline, load_plugin, read_mask, simple  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData  # noqa: E402
-from vtkmodules.vtkIOGeometry import vtkSTLReader  # noqa: E402
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
 
 
 def save_labels(path, image, part=None):
@@ -33,12 +31,7 @@ def save_labels(path, image, part=None):
         file.write(np.ascontiguousarray(labels).tobytes())
 
 
-def save_surface(path, reader, source):
-    reader.SetFileName(source)
-    clean = vtkCleanPolyData()
-    clean.SetInputConnection(reader.GetOutputPort())
-    clean.Update()
-    surface = clean.GetOutput()
+def save_surface(path, surface):
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
     with open(path, "wb") as file:
@@ -74,16 +67,14 @@ LABELS = {"phantom60": phantom(60), "phantom120": phantom(120), "heart_cta": sca
           "mickey": image("cleaver_tests", "mickey.nrrd"), "digimouse": image("digimouse", "labels.mha"),
           "thorax": image("digimouse", "labels.mha"), "frog": image("frogtissue", "frogtissue.mhd"),
           "aorta_labels": image("vmtk_aorta", "aorta-otsu4-labels.mha")}
-SURFACES = {"biv_heart": (vtkXMLPolyDataReader, "biv_heart_surface/heart.vtp"),
-            "vmtk_aorta": (vtkSTLReader, "vmtk_aorta/aorta-surface.stl")}
+SURFACES = {"biv_heart": "biv_heart_surface", "vmtk_aorta": "vmtk_aorta"}
 
 
 def write(name, data, output):
     """The input of this name; returns its file."""
     if name in SURFACES:
-        reader, source = SURFACES[name]
         path = os.path.join(output, f"{name}.surface")
-        save_surface(path, reader(), os.path.join(data, source))
+        save_surface(path, read_closed_surface(data, SURFACES[name]))
         return path
     path = os.path.join(output, f"{name}.labels")
     save_labels(path, LABELS[name](Pipeline(), data), THORAX if name == "thorax" else None)

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prism layers and core on shapes where layers are known to fail.
-#include "Geometry/Quality.h"
 #include "Geometry/VisibleDirection.h"
 #include "Images.h"
-#include "Mesh/VolumeCorrection.h"
-#include "Shapes.h"
-#include "Sizing/FeatureSize.h"
-#include "Surface/ExtractInterfaces.h"
-#include "Surface/RefineSurface.h"
-#include "Surface/SmoothSurface.h"
+#include "PrismChecks.h"
+#include "RefinedSurfaces.h"
 #include "Volume/CoreTets.h"
-#include "Volume/PrismLayers.h"
 #include "Volume/Wall.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 using namespace lamina;
+using namespace prisms;
 
 namespace
 {
@@ -30,26 +21,6 @@ constexpr double GoodTriangle = 0.3;
 std::size_t U(Id i)
 {
   return static_cast<std::size_t>(i);
-}
-
-TriangleComplex SurfaceOf(const LabelImage& image)
-{
-  ThreadMonitor monitor(2);
-  TriangleComplex surface;
-  EXPECT_TRUE(ExtractInterfaces(image, surface, {}, monitor));
-  EXPECT_TRUE(SmoothSurface(surface, {}, monitor));
-  EXPECT_TRUE(ComputeFeatureSize(surface, {}, monitor));
-  EXPECT_TRUE(RefineSurface(surface, {}, monitor));
-  return surface;
-}
-
-void Size(TriangleComplex& surface)
-{
-  ThreadMonitor monitor(2);
-  FeatureSizeOptions options;
-  options.minimum = 1e-3;
-  const auto sized = ComputeFeatureSize(surface, options, monitor);
-  ASSERT_TRUE(sized) << sized.GetError().message;
 }
 
 /// For every point of the surface the least cosine of the best direction into the material with its faces.
@@ -69,22 +40,6 @@ std::vector<double> SightOf(const TriangleComplex& surface, int material)
   return sight;
 }
 
-double VolumeOf(const VolumeMesh& mesh, Id cell, const std::string& what)
-{
-  const auto at = [&](int i) { return mesh.points[U(mesh.Cell(cell)[i])]; };
-  switch (mesh.types[U(cell)])
-  {
-    case CellType::Wedge:
-      EXPECT_TRUE(WedgeIsValid({ { at(0), at(1), at(2), at(3), at(4), at(5) } })) << what;
-      return WedgeVolume({ { at(0), at(1), at(2), at(3), at(4), at(5) } });
-    case CellType::Pyramid:
-      EXPECT_TRUE(PyramidIsValid({ { at(0), at(1), at(2), at(3), at(4) } })) << what;
-      return PyramidVolume({ { at(0), at(1), at(2), at(3), at(4) } });
-    default:
-      return TetVolume(at(0), at(1), at(2), at(3));
-  }
-}
-
 /// Every cell valid; prisms above 0.2 on good triangles whose points are seen well; full layers on the
 /// share of all triangles; the core above 0.1; the volume that of the surface.
 void ExpectGood(const TriangleComplex& surface, int material, const std::string& what,
@@ -94,10 +49,11 @@ void ExpectGood(const TriangleComplex& surface, int material, const std::string&
   PrismLayersOptions options;
   options.materials = { material };
   options.layers = 3;
-  VolumeMesh prisms;
+  VolumeMesh layers;
   TriangleComplex front;
   LayersOnSurface onSurface;
-  const auto grown = GrowPrismLayers(surface, options, prisms, front, onSurface, monitor);
+  SCOPED_TRACE(what);
+  const auto grown = GrowPrismLayers(surface, options, layers, front, onSurface, monitor);
   ASSERT_TRUE(grown) << what << ": " << grown.GetError().message;
   const std::vector<double> sight = SightOf(surface, material);
   std::vector<double> groundOf(surface.points.size(), 1); // the poorest triangle at a point
@@ -110,29 +66,29 @@ void ExpectGood(const TriangleComplex& surface, int material, const std::string&
       groundOf[U(p)] = std::min(groundOf[U(p)], quality);
     }
   }
-  std::vector<double> sightOf(prisms.points.size(), 1);
-  for (std::size_t p = 0; p < prisms.points.size(); ++p)
+  std::vector<double> sightOf(layers.points.size(), 1);
+  for (std::size_t p = 0; p < layers.points.size(); ++p)
   {
-    const Id foot = prisms.interfaceNodeIds[p];
+    const Id foot = layers.interfaceNodeIds[p];
     sightOf[p] = foot >= 0 && groundOf[U(foot)] >= GoodTriangle ? sight[U(foot)] : (foot >= 0 ? 0 : 1);
   }
   double sum = 0;
   Id bad = 0;
-  for (Id c = 0; c < prisms.CellCount(); ++c)
+  for (Id c = 0; c < layers.CellCount(); ++c)
   {
-    const double volume = VolumeOf(prisms, c, what);
+    const double volume = CellVolume(layers, c);
     EXPECT_GT(volume, 0) << what;
     sum += volume;
-    if (prisms.types[U(c)] != CellType::Wedge)
+    if (layers.types[U(c)] != CellType::Wedge)
     {
       continue;
     }
-    const auto at = [&](int i) { return prisms.points[U(prisms.Cell(c)[i])]; };
+    const auto at = [&](int i) { return layers.points[U(layers.Cell(c)[i])]; };
     bool isSeen = true;
     for (int k = 0; k < 3; ++k) // layers come in order: what a column stands on is known from the one below
     {
-      const double foot = sightOf[U(prisms.Cell(c)[k])];
-      sightOf[U(prisms.Cell(c)[k + 3])] = foot;
+      const double foot = sightOf[U(layers.Cell(c)[k])];
+      sightOf[U(layers.Cell(c)[k + 3])] = foot;
       isSeen = isSeen && foot >= GoodSight;
     }
     const double quality = WedgeQuality({ { at(0), at(1), at(2), at(3), at(4), at(5) } });
@@ -148,12 +104,14 @@ void ExpectGood(const TriangleComplex& surface, int material, const std::string&
   EXPECT_EQ(bad, 0) << what;
   EXPECT_GE(static_cast<double>(full), leastFull * static_cast<double>(walls)) << what;
   VolumeMesh core;
-  const auto filled = MeshCoreTets(front, {}, {}, core, monitor);
+  CoreTetsOptions filling;
+  filling.isThorough = true;
+  const auto filled = MeshCoreTets(front, {}, filling, core, monitor);
   ASSERT_TRUE(filled) << what << ": " << filled.GetError().message;
   EXPECT_GT(filled->leastQuality, 0.1) << what;
   for (Id c = 0; c < core.CellCount(); ++c)
   {
-    sum += VolumeOf(core, c, what);
+    sum += CellVolume(core, c);
   }
   const double expected = MaterialVolumes(surface, { material })[0];
   EXPECT_NEAR(sum, expected, 1e-9 * expected) << what;
@@ -302,7 +260,7 @@ TEST(LongPrismShapes, BifurcationOfTenToOne)
                                     const bool isBranch = y * y + z * z < 1.1 && x > 0 && x < 23;
                                     return isTrunk || isBranch ? 1 : 0;
                                   });
-  ExpectGood(SurfaceOf(image), 1, "bifurcation");
+  ExpectGood(RefinedSurface(image), 1, "bifurcation");
 }
 
 TEST(LongPrismShapes, SaddleCrease)
@@ -316,7 +274,7 @@ TEST(LongPrismShapes, SaddleCrease)
                                            const bool two = std::abs(z + 0.35 * x + 0.2 * y) < 3.2;
                                            return isBody && (one || two) ? 1 : 0;
                                          });
-  ExpectGood(SurfaceOf(image), 1, "saddle crease");
+  ExpectGood(RefinedSurface(image), 1, "saddle crease");
 }
 
 TEST(LongPrismShapes, TrabeculatedWall)
@@ -331,7 +289,7 @@ TEST(LongPrismShapes, TrabeculatedWall)
                                            const bool isRod = r > 7 && r * std::hypot(a, b) < 1.8;
                                            return r < 11 && !isRod ? 2 : (r < 14 ? 1 : 0);
                                          });
-  ExpectGood(SurfaceOf(image), 2, "trabeculated wall");
+  ExpectGood(RefinedSurface(image), 2, "trabeculated wall");
 }
 
 TEST(LongPrismShapes, ChannelOfOneVoxel)
@@ -345,5 +303,5 @@ TEST(LongPrismShapes, ChannelOfOneVoxel)
                      (far(i, 7) < 5 || far(i, 32) < 5) && std::max(far(j, 7), far(k, 7)) < 5;
                    return isChamber || (j == 7 && k == 7 && i > 5 && i < 34) ? 1 : 0;
                  });
-  ExpectGood(SurfaceOf(image), 1, "channel");
+  ExpectGood(RefinedSurface(image), 1, "channel");
 }

@@ -18,6 +18,23 @@ std::array<Vec3, 6> Prism(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 
 const double Root3 = std::sqrt(3.0);
 
+/// The nodes, each moved at random.
+template<std::size_t Count>
+std::array<Vec3, Count> Shaken(std::array<Vec3, Count> p, std::mt19937& generator,
+                               std::normal_distribution<double>& noise)
+{
+  for (Vec3& node : p)
+  {
+    node += { noise(generator), noise(generator), noise(generator) };
+  }
+  return p;
+}
+
+std::array<Vec3, 6> EvenPrism(double height)
+{
+  return Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, Root3 / 2, 0 }, { 0, 0, height });
+}
+
 /// Jacobian of the isoparametric wedge from its shape functions.
 double WedgeDeterminant(const std::array<Vec3, 6>& p, double u, double v, double z)
 {
@@ -116,12 +133,8 @@ TEST(Quality, SplitsOfWedges)
   int valid = 0;
   for (int cell = 0; cell < 400; ++cell)
   {
-    auto p = Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, Root3 / 2, 0 }, { 0, 0, 0.6 });
-    const auto right = p;
-    for (Vec3& node : p)
-    {
-      node += { noise(generator), noise(generator), noise(generator) };
-    }
+    const auto right = EvenPrism(0.6);
+    const auto p = Shaken(right, generator, noise);
     bool all = true;
     for (unsigned choice = 0; choice < 24; ++choice)
     {
@@ -148,11 +161,7 @@ TEST(Quality, WedgeAgreesWithSamplingAndQuadrature)
   int valid = 0;
   for (int cell = 0; cell < 1000; ++cell)
   {
-    auto p = Prism({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, Root3 / 2, 0 }, { 0, 0, 0.8 });
-    for (Vec3& node : p)
-    {
-      node += { noise(generator), noise(generator), noise(generator) };
-    }
+    const auto p = Shaken(EvenPrism(0.8), generator, noise);
     double least = 1e300;
     constexpr int steps = 400;
     for (int k = 0; k <= steps; ++k)
@@ -184,11 +193,10 @@ TEST(Quality, PyramidAgreesWithSamplingAndQuadrature)
   int valid = 0;
   for (int cell = 0; cell < 1000; ++cell)
   {
-    std::array<Vec3, 5> p{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.6 } } };
-    for (Vec3& node : p)
-    {
-      node += { noise(generator), noise(generator), noise(generator) };
-    }
+    const std::array<Vec3, 5> even{
+      { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.6 } }
+    };
+    const auto p = Shaken(even, generator, noise);
     double least = 1e300;
     for (int i = 0; i <= 10; ++i)
     {

@@ -4,12 +4,9 @@
 #include "Mesh/JunctionGraph.h"
 #include "Mesh/VolumeCorrection.h"
 #include "MomentMonitor.h"
+#include "RefinedSurfaces.h"
 #include "Search/SelfIntersection.h"
 #include "Shapes.h"
-#include "Sizing/FeatureSize.h"
-#include "Surface/ExtractInterfaces.h"
-#include "Surface/RefineSurface.h"
-#include "Surface/SmoothSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -383,12 +380,7 @@ TEST(RefineSurface, BorderPlanesStayPlaneInNoise)
   std::mt19937 random(3);
   const LabelImage image =
     images::Make({ { 12, 12, 12 } }, [&](Id, Id, Id) { return static_cast<int>(random() % 4); });
-  ThreadMonitor monitor(2);
-  TriangleComplex surface;
-  ASSERT_TRUE(ExtractInterfaces(image, surface, {}, monitor));
-  ASSERT_TRUE(SmoothSurface(surface, {}, monitor));
-  ASSERT_TRUE(ComputeFeatureSize(surface, {}, monitor));
-  ASSERT_TRUE(RefineSurface(surface, {}, monitor));
+  const TriangleComplex surface = RefinedSurface(image);
   std::map<int, std::array<Vec3, 2>> boxes;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {

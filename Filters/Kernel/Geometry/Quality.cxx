@@ -234,4 +234,34 @@ double PyramidQuality(const std::array<Vec3, 5>& p)
   return PyramidIsValid(p) ? quality : std::min(0.0, quality);
 }
 
+double FaceNonOrthogonality(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far)
+{
+  constexpr double degrees = 57.295779513082323;
+  const Vec3 area = Cross(face[1] - face[0], face[2] - face[0]);
+  const Vec3 line = far - near;
+  // By the tangent: a cosine says little of small angles.
+  return degrees * std::atan2(Norm(Cross(area, line)), std::abs(Dot(area, line)));
+}
+
+double FaceSkewness(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far)
+{
+  constexpr double leastShare = 0.2; // of the centres' distance
+  const Vec3 area = Cross(face[1] - face[0], face[2] - face[0]);
+  const Vec3 line = far - near;
+  const Vec3 centre = (face[0] + face[1] + face[2]) * (1.0 / 3);
+  const double through = Dot(area, line);
+  if (through == 0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Vec3 miss = (centre - near) - (Dot(area, centre - near) / through) * line;
+  const double length = Norm(miss);
+  double extent = leastShare * Norm(line);
+  for (const Vec3& corner : face)
+  {
+    extent = length > 0 ? std::max(extent, std::abs(Dot(miss, corner - centre)) / length) : extent;
+  }
+  return length / extent;
+}
+
 } // namespace lamina

@@ -40,4 +40,11 @@ double PyramidVolume(const std::array<Vec3, 5>& nodes);
 /// 3 r/R of the worst tet of its better split by a diagonal of the base; not positive for an invalid one.
 double PyramidQuality(const std::array<Vec3, 5>& nodes);
 
+/// Of a face between two cells, as OpenFOAM measures them (its owner's centre is `near`). Degrees between the
+/// face's normal and the line of the cells' centres, at most 90.
+double FaceNonOrthogonality(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far);
+/// How far that line misses the face's centre, over the greater of a fifth of the centres' distance and the
+/// face's extent in that direction; infinite where the line lies in the face's plane.
+double FaceSkewness(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far);
+
 } // namespace lamina

@@ -7,6 +7,8 @@
 #include "CoreTetsInput.h"
 #include "FrontCells.h"
 #include "GradedPoints.h"
+#include "ImproveFaces.h"
+#include "ImproveStuck.h"
 #include "MeshEstimate.h"
 
 #include <algorithm>
@@ -68,21 +70,30 @@ void Emit(const TriangleComplex& surface, const TetSet& set, VolumeMesh& mesh, C
   report.aboveGate = report.tets > 0 ? (report.aboveGate - 1) / static_cast<double>(report.tets) : 1;
 }
 
-/// Betters the tets; if there are prisms behind the surface the worst by their shape first, then all with an
-/// eye on these.
-void Improve(const TriangleComplex& surface, TetSet& set, Monitor& monitor)
+/// Betters the tets by their shape first, the stuck ones by force; then, if there are prisms behind the
+/// surface, with an eye on these; the faces between cells at last.
+void Improve(const TriangleComplex& surface, const CoreTetsOptions& asked, TetSet& set, Monitor& monitor)
 {
   const FrontCells behind(surface);
   ImproveTetsOptions options;
-  if (!surface.layerSide.empty())
+  const bool hasPrisms = !surface.layerSide.empty();
+  options.target = hasPrisms ? ShapeFirst : options.target;
+  ImproveTets(set, options, monitor);
+  if (asked.isThorough)
   {
-    options.target = ShapeFirst;
-    ImproveTets(set, options, monitor);
+    ImproveStuck(set, {}, monitor);
+  }
+  if (hasPrisms)
+  {
     options = {};
     options.pointsBelow = 0.22; // up to where volumes jump by more than 3 (FrontCells.h)
     set.front = &behind;
+    ImproveTets(set, options, monitor);
   }
-  ImproveTets(set, options, monitor);
+  if (asked.isThorough)
+  {
+    ImproveFaces(set, {}, monitor);
+  }
   set.front = nullptr;
 }
 
@@ -112,7 +123,7 @@ Result<CoreTetsReport> Run(const TriangleComplex& surface, const std::vector<Vec
   set.fixed.assign(set.points.size(), 0);
   std::fill_n(set.fixed.begin(), surface.points.size(), 1);
   SubMonitor improving(monitor, 0.85, 1);
-  Improve(surface, set, improving);
+  Improve(surface, options, set, improving);
   if (monitor.Cancelled())
   {
     return Cancelled();

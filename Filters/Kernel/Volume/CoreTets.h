@@ -21,6 +21,9 @@ struct CoreTetsOptions
     1.3; ///< with maximumEdge, tets may be this much longer than the surface's edges near them
   double maximumEdge =
     0; ///< longest edge wanted in the core, a length; 0: sizes grow as the ratio above allows
+  /// What nothing else betters is worked on by force (ImproveStuck.h), and at last oblique and skew faces
+  /// between cells are (ImproveFaces.h). In vain where the cells are improved further, with others.
+  bool isThorough = false;
 };
 
 struct CoreTetsReport

@@ -89,18 +89,30 @@ FrontCells::FrontCells(const TriangleComplex& front)
   }
 }
 
-double FrontCells::FitOver(const Triangle& face, const std::vector<Vec3>& points, const Vec3& apex) const
+const FrontCells::Prism* FrontCells::Behind(const Triangle& face) const
 {
   if (!this->IsOnFront(face[0]) || !this->IsOnFront(face[1]) || !this->IsOnFront(face[2]))
   {
-    return 1;
+    return nullptr;
   }
   const Id found = this->Table.Find(face);
-  if (found < 0 || !(this->Prisms[U(found)].volume > 0))
+  return found >= 0 && this->Prisms[U(found)].volume > 0 ? &this->Prisms[U(found)] : nullptr;
+}
+
+const Vec3* FrontCells::CentreBehind(const Triangle& face) const
+{
+  const Prism* behind = this->Behind(face);
+  return behind != nullptr ? &behind->centre : nullptr;
+}
+
+double FrontCells::FitOver(const Triangle& face, const std::vector<Vec3>& points, const Vec3& apex) const
+{
+  const Prism* behind = this->Behind(face);
+  if (behind == nullptr)
   {
     return 1;
   }
-  const Prism& prism = this->Prisms[U(found)];
+  const Prism& prism = *behind;
   const Vec3& a = points[U(face[0])];
   const Vec3 area = Cross(points[U(face[1])] - a, points[U(face[2])] - a);
   const Vec3 middle = 0.25 * (a + points[U(face[1])] + points[U(face[2])] + apex);

@@ -22,6 +22,8 @@ public:
   double FitOver(const Triangle& face, const std::vector<Vec3>& points, const Vec3& apex) const;
   /// The least over the tet's faces.
   double FitOf(const std::array<Id, 4>& tet, const std::vector<Vec3>& points) const;
+  /// The centre of the prism behind a face; null: none.
+  const Vec3* CentreBehind(const Triangle& face) const;
 
 private:
   struct Prism
@@ -30,6 +32,7 @@ private:
     double volume = 0; ///< 0: none
   };
   bool IsOnFront(Id point) const { return point < this->PointCount; }
+  const Prism* Behind(const Triangle& face) const;
 
   Id PointCount = 0;
   std::vector<Prism> Prisms;

@@ -61,23 +61,6 @@ std::vector<Id> FindBad(const TetSet& set, double target, Monitor& monitor)
   return bad;
 }
 
-/// Takes out the tets that operations left behind (first node -1).
-void Compact(TetSet& set)
-{
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < set.tets.size(); ++from)
-  {
-    if (set.tets[from][0] >= 0)
-    {
-      set.tets[to] = set.tets[from];
-      set.groups[to] = set.groups[from];
-      ++to;
-    }
-  }
-  set.tets.resize(to);
-  set.groups.resize(to);
-}
-
 Id CountOf(const ImproveTetsReport& report)
 {
   return report.edgesRemoved + report.facesFlipped + report.cavitiesFilled + report.pointsMoved +
@@ -102,6 +85,52 @@ struct Limits
 
 /// Tets on which putting in and taking out points has failed, and how good they were then.
 using Hopeless = std::map<Tet, double>;
+
+/// Tets that nothing could be done about, and what that depended on: as long as none of it changes, nothing
+/// can be done.
+class Vain
+{
+public:
+  /// Where changes are noted.
+  ChangeClock clock;
+
+  bool Holds(const Tet& tet, const TetCavity& cavity) const
+  {
+    const auto found = this->Tried.find(tet);
+    if (found == this->Tried.end())
+    {
+      return false;
+    }
+    const Attempt& a = found->second;
+    const auto hasChanged = [&](Id p) { return this->clock.HasChangedSince(p, a.time); };
+    return std::none_of(tet.begin(), tet.end(), hasChanged) &&
+           std::none_of(a.seen.begin(), a.seen.end(), hasChanged) &&
+           std::all_of(a.seen.begin(), a.seen.begin() + a.known, [&](Id p) { return cavity.IsKnown(p); }) &&
+           std::none_of(a.seen.begin() + a.known, a.seen.end(), [&](Id p) { return cavity.IsKnown(p); });
+  }
+
+  /// `seen`: points of the tets that were looked at.
+  void Add(const Tet& tet, std::vector<Id> seen, const TetCavity& cavity)
+  {
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    const auto unknown =
+      std::stable_partition(seen.begin(), seen.end(), [&](Id p) { return cavity.IsKnown(p); });
+    const auto known = unknown - seen.begin();
+    this->Tried[tet] = { this->clock.Now(), std::move(seen), known };
+  }
+  /// Other things may be done from now on.
+  void Forget() { this->Tried.clear(); }
+
+private:
+  struct Attempt
+  {
+    std::size_t time = 0;
+    std::vector<Id> seen; ///< the known ones first
+    std::ptrdiff_t known = 0;
+  };
+  std::map<Tet, Attempt> Tried;
+};
 
 /// The first operation that betters the tet, the cheapest first. Points are put in or taken out where moves
 /// gain little.
@@ -137,9 +166,9 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, 
 
 /// One pass over the bad tets; false if nothing could be done.
 bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, const std::vector<Id>& bad,
-          Hopeless& hopeless, ImproveTetsReport& report, Monitor& monitor)
+          Hopeless& hopeless, Vain& vain, ImproveTetsReport& report, Monitor& monitor)
 {
-  TetCavity cavity(set, bad);
+  TetCavity cavity(set, bad, &vain.clock);
   const Id before = CountOf(report);
   for (std::size_t i = 0; i < bad.size(); ++i)
   {
@@ -148,14 +177,21 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, 
       break;
     }
     // An operation on a neighbour may have replaced or mended it.
-    const Tet& own = set.tets[Index(bad[i])];
+    const Tet own = set.tets[Index(bad[i])];
     const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
-    if (quality < options.target)
+    if (quality < options.target && !vain.Holds(own, cavity))
     {
+      std::vector<Id> seen;
+      cavity.Watch(&seen);
+      const std::size_t time = vain.clock.Now();
       Better(cavity, set, bad[i], limits, hopeless, report);
+      if (vain.clock.Now() == time)
+      {
+        vain.Add(own, std::move(seen), cavity);
+      }
     }
   }
-  Compact(set);
+  DropReplaced(set);
   return CountOf(report) > before;
 }
 
@@ -168,12 +204,19 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
   set.fixed.resize(set.points.size(), 0);
   auto bad = FindBad(set, options.target, monitor);
   Hopeless hopeless;
+  Vain vain;
+  bool wasLate = false;
   for (int round = 0; round < options.rounds && !bad.empty() && !monitor.Cancelled(); ++round)
   {
     monitor.Progress(round / static_cast<double>(options.rounds), "Improving the worst tetrahedra");
     const bool isLate = round >= options.rounds * 2 / 3;
     const Limits limits{ options.pointsBelow, isLate ? options.layersBelow : 0 };
-    const bool hasMoved = Pass(set, options, limits, bad, hopeless, report, monitor);
+    if (isLate && !wasLate && !set.layerIndex.empty()) // layers may now be crossed
+    {
+      vain.Forget();
+    }
+    wasLate = isLate;
+    const bool hasMoved = Pass(set, options, limits, bad, hopeless, vain, report, monitor);
     bad = FindBad(set, options.target, monitor);
     if (!hasMoved && isLate)
     {

@@ -43,8 +43,25 @@ double WorthOfTet(const TetSet& set, const std::array<Id, 4>& c)
   return set.front == nullptr || !(shape > 0) ? shape : std::min(shape, set.front->FitOf(c, p));
 }
 
-TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around)
+void DropReplaced(TetSet& set)
+{
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < set.tets.size(); ++from)
+  {
+    if (set.tets[from][0] >= 0)
+    {
+      set.tets[to] = set.tets[from];
+      set.groups[to] = set.groups[from];
+      ++to;
+    }
+  }
+  set.tets.resize(to);
+  set.groups.resize(to);
+}
+
+TetCavity::TetCavity(TetSet& set, const std::vector<Id>& around, ChangeClock* clock)
   : Set(set)
+  , Clock(clock)
   , Slot(set.points.size(), -1)
 {
   for (Id t : around)
@@ -91,6 +108,21 @@ double TetCavity::LeastOf(const std::vector<Id>& tets) const
   for (Id t : tets)
   {
     least = std::min(least, this->Quality(this->Set.tets[Index(t)]));
+  }
+  return least;
+}
+
+double TetCavity::LeastOf(std::vector<Id>& tets, double enough) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Id& t : tets)
+  {
+    least = std::min(least, this->Quality(this->Set.tets[Index(t)]));
+    if (least <= enough)
+    {
+      std::swap(t, tets.front());
+      break;
+    }
   }
   return least;
 }
@@ -150,6 +182,10 @@ void TetCavity::Apply(const Change& change)
   }
   for (Id t : change.out)
   {
+    if (this->Clock != nullptr)
+    {
+      this->Clock->Mark(this->Set.tets[Index(t)]);
+    }
     for (Id p : this->Set.tets[Index(t)])
     {
       if (this->IsKnown(p))
@@ -162,6 +198,10 @@ void TetCavity::Apply(const Change& change)
   }
   for (const Tet& tet : change.in)
   {
+    if (this->Clock != nullptr)
+    {
+      this->Clock->Mark(tet);
+    }
     for (Id p : tet)
     {
       if (this->IsKnown(p))
@@ -174,7 +214,7 @@ void TetCavity::Apply(const Change& change)
   }
 }
 
-void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
+void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best, double enough) const
 {
   // Two tets on a face (a, b, c) with apices d and e become three round the edge (d, e).
   const Tet& own = this->Set.tets[Index(tet)];
@@ -204,8 +244,8 @@ void TetCavity::FlipFace(Id tet, std::size_t opposite, Change& best) const
       change.in.push_back({ { face[(k + 1) % 3], face[k], e, d } });
       change.quality = std::min(change.quality, this->Quality(change.in.back()));
     }
-    if (change.quality > std::max(best.quality, this->LeastOf(change.out) + LeastGain) &&
-        this->IsSound(change.in))
+    const double asked = std::min(enough, this->LeastOf(change.out) + LeastGain);
+    if (change.quality > std::max(best.quality, asked) && this->IsSound(change.in))
     {
       best = std::move(change);
     }

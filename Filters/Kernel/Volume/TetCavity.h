@@ -2,6 +2,7 @@
 // The operations on single tetrahedra that ImproveTets is made of.
 #pragma once
 
+#include "ChangeClock.h"
 #include "ImproveTets.h"
 
 #include <functional>
@@ -16,9 +17,18 @@ double ShapeOfTet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// The same, and its fit to the prisms behind.
 double WorthOfTet(const TetSet& set, const std::array<Id, 4>& tet);
 
+/// Takes out the tets that operations left behind (first node -1).
+void DropReplaced(TetSet& set);
+
+/// How bad a face between two cells with these centres is: the greater of its non-orthogonality over 85
+/// degrees and its skewness over 4.
+double FaceExcess(const std::array<Vec3, 3>& face, const Vec3& near, const Vec3& far);
+
+/// The score of a place; whatever is no more than the second argument will do instead if it is no more.
+using PlaceScore = std::function<double(const Vec3&, double)>;
 /// From `start` uphill to where the score is best near it, with steps of `step` at first; score() is never
 /// called last with the answer.
-Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score);
+Vec3 SearchBest(const Vec3& start, double step, const PlaceScore& score);
 
 /// The surroundings of some tets of a set, open to reconnection. Tets taken out keep their place with -1 as
 /// first node, new ones are appended.
@@ -37,7 +47,7 @@ public:
   };
 
   /// Only the points of the tets `around` get their tets known.
-  TetCavity(TetSet& set, const std::vector<Id>& around);
+  TetCavity(TetSet& set, const std::vector<Id>& around, ChangeClock* clock = nullptr);
 
   /// See WorthOfTet().
   double Quality(const Tet& tet) const;
@@ -54,6 +64,15 @@ public:
   /// `acrossLayers`; `taken` gets them then.
   Done Collapse(Id tet, bool acrossLayers, std::vector<Id>& taken);
   Done Insert(Id tet);
+  bool IsKnown(Id point) const;
+  /// From here on `points` gets the points of all tets that operations look at beyond the stars of their
+  /// tet's own points; null: no longer.
+  void Watch(std::vector<Id>* points) { this->Watched = points; }
+  /// The worst of the tet's faces towards others of its group and the prisms behind (FaceExcess()).
+  double WorstFace(Id tet) const;
+  /// Moves a free point of the tet, or flips or removes what is at its faces, if that lowers the worst face
+  /// of all that is touched and no tet becomes worse than it was or `enough`. False: nothing could be done.
+  bool BetterFaces(Id tet, double enough);
 
 private:
   /// Tets to take out, those to put in, and the least quality of the new ones.
@@ -80,8 +99,16 @@ private:
   {
     return this->Set.layerIndex.empty() ? -1 : this->Set.layerIndex[static_cast<std::size_t>(point)];
   }
-  void RemoveEdge(Id tet, Id a, Id b, Change& best) const;
-  void FlipFace(Id tet, std::size_t opposite, Change& best) const;
+  /// Changes that raise the least quality above that of `best` are taken for it; new tets may be as poor as
+  /// `enough` in any case.
+  void RemoveEdge(Id tet, Id a, Id b, Change& best, double enough = 1) const;
+  void FlipFace(Id tet, std::size_t opposite, Change& best, double enough = 1) const;
+  /// The worst face of tets that stand, or would stand, in the place of some.
+  double WorstOf(const std::vector<Tet>& tets, const std::vector<Id>& instead) const;
+  double ExcessOf(const Tet& tet, std::size_t opposite, const std::vector<Tet>& tets,
+                  const std::vector<Id>& instead) const;
+  std::vector<Tet> CornersOf(const std::vector<Id>& tets) const;
+  bool MoveForFaces(Id point, double enough);
   /// The best tets instead of a ring of them round edge (a, b), and their least quality; none if not above
   /// `floor`.
   double Triangulate(const std::vector<Id>& ring, Id a, Id b, double floor, std::vector<Tet>& in) const;
@@ -89,13 +116,17 @@ private:
   bool IsInterior(Id point) const;
   bool MovePoint(Id point);
   bool Allows(Id a, Id b) const;
-  bool IsKnown(Id point) const;
   const std::vector<Id>& TetsOf(Id point) const;
   double LeastOf(const std::vector<Id>& tets) const;
+  /// The same, but any value up to `enough` if it is no more. The tet that decides comes to the front, as it
+  /// will often decide again.
+  double LeastOf(std::vector<Id>& tets, double enough) const;
   bool IsSound(const std::vector<Tet>& tets) const;
   void Apply(const Change& change);
 
   TetSet& Set;
+  ChangeClock* Clock;
+  std::vector<Id>* Watched = nullptr;
   std::vector<Id> Slot; ///< one a point: where its tets stand in Stars, -1 unknown
   std::vector<std::vector<Id>> Stars;
 };

@@ -122,7 +122,7 @@ double TetCavity::Triangulate(const std::vector<Id>& ring, Id a, Id b, double fl
   return least[0][n - 1];
 }
 
-void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
+void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best, double enough) const
 {
   Change change;
   std::vector<Id> ring;
@@ -131,7 +131,7 @@ void TetCavity::RemoveEdge(Id tet, Id a, Id b, Change& best) const
   {
     return;
   }
-  const double floor = std::max(best.quality, this->LeastOf(change.out) + LeastGain);
+  const double floor = std::max(best.quality, std::min(enough, this->LeastOf(change.out) + LeastGain));
   change.quality = this->Triangulate(ring, a, b, floor, change.in);
   if (change.quality > floor && this->IsSound(change.in))
   {

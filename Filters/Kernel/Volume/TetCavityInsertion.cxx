@@ -6,6 +6,7 @@
 #include "../Geometry/Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lamina
@@ -46,6 +47,10 @@ Id TetCavity::Across(const Triangle& face, Id tet) const
       const Tet& other = this->Set.tets[Index(t)];
       if (t != tet && Has(other, face[0]) && Has(other, face[1]) && Has(other, face[2]))
       {
+        if (this->Watched != nullptr)
+        {
+          this->Watched->insert(this->Watched->end(), other.begin(), other.end());
+        }
         return this->Set.groups[Index(t)] == this->Set.groups[Index(tet)] ? t : -1;
       }
     }
@@ -71,7 +76,8 @@ bool TetCavity::FindCavity(Id tet, const Vec3& place, Shell& best) const
     for (std::size_t f = 0; f < shell.faces.size(); ++f)
     {
       const Triangle& c = shell.faces[f];
-      const double quality = this->QualityFrom(c, place);
+      double& quality = shell.quality[f];
+      quality = std::isnan(quality) ? this->QualityFrom(c, place) : quality;
       least = std::min(least, quality);
       if (quality < leastOfOpen && std::find(ends.begin(), ends.end(), c) == ends.end())
       {
@@ -164,19 +170,25 @@ TetCavity::Done TetCavity::Insert(Id tet)
     {
       continue;
     }
-    const auto leastAt = [&](const Vec3& place)
+    std::vector<Triangle> order = shell.faces;
+    const auto leastAt = [&](const Vec3& place, double enough)
     {
       double least = std::numeric_limits<double>::infinity();
-      for (const Triangle& f : shell.faces)
+      for (Triangle& f : order)
       {
         least = std::min(least, this->QualityFrom(f, place));
+        if (least <= enough)
+        {
+          std::swap(f, order.front()); // it will often decide again
+          break;
+        }
       }
       return least;
     };
     Change change;
     change.kind = Done::PointAdded;
     change.place = SearchBest(start, 0.3 * Norm(p[Index(own[0])] - p[Index(own[1])]), leastAt);
-    change.quality = leastAt(change.place);
+    change.quality = leastAt(change.place, -std::numeric_limits<double>::infinity());
     const double gain = change.quality - this->LeastOf(shell.tets);
     const auto isSeen = [&](const Triangle& f)
     { return Orientation(p[Index(f[0])], p[Index(f[2])], p[Index(f[1])], change.place) > 0; };

@@ -62,11 +62,11 @@ bool TetCavity::IsInterior(Id point) const
     });
 }
 
-Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const Vec3&)>& score)
+Vec3 SearchBest(const Vec3& start, double step, const PlaceScore& score)
 {
   // A pattern search: the least quality of a star is not smooth, so slopes tell little.
   Vec3 best = start;
-  double highest = score(start);
+  double highest = score(start, -std::numeric_limits<double>::infinity());
   for (int halvings = 0; halvings < 7;)
   {
     bool isBetter = false;
@@ -74,7 +74,7 @@ Vec3 SearchBest(const Vec3& start, double step, const std::function<double(const
     {
       Vec3 to = best;
       to[k / 2] += k % 2 == 0 ? step : -step;
-      const double now = score(to);
+      const double now = score(to, highest + LeastGain);
       if (now > highest + LeastGain)
       {
         highest = now;
@@ -104,16 +104,17 @@ bool TetCavity::MovePoint(Id point)
     }
   }
   centre = centre * (1.0 / (4.0 * static_cast<double>(star.size())));
-  const auto score = [&](const Vec3& to)
+  std::vector<Id> order = star;
+  const auto score = [&](const Vec3& to, double enough)
   {
     place = to;
-    return this->LeastOf(star);
+    return this->LeastOf(order, enough);
   };
-  const double before = score(start);
+  const double before = score(start, -std::numeric_limits<double>::infinity());
   Vec3 first = start;
   for (const Vec3& to : { centre, 0.5 * (start + centre) })
   {
-    if (score(to) > before + LeastGain)
+    if (score(to, before + LeastGain) > before + LeastGain)
     {
       first = to;
       break;
@@ -127,6 +128,13 @@ bool TetCavity::MovePoint(Id point)
   }
   if (!(place == start) && this->IsSound(tets))
   {
+    for (const Tet& tet : tets)
+    {
+      if (this->Clock != nullptr)
+      {
+        this->Clock->Mark(tet);
+      }
+    }
     return true;
   }
   place = start;

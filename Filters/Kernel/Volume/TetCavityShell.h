@@ -6,6 +6,7 @@
 #include "TetCavity.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lamina
 {
@@ -14,7 +15,8 @@ struct TetCavity::Shell
 {
   std::vector<Id> tets;
   std::vector<Triangle> faces;
-  std::vector<Id> inside; ///< one a face: its tet
+  std::vector<Id> inside;      ///< one a face: its tet
+  std::vector<double> quality; ///< one a face: of a tet on it, not a number until someone asks
 
   void Add(Id tet, const Tet& corners)
   {
@@ -29,10 +31,12 @@ struct TetCavity::Shell
       {
         this->faces.push_back(face);
         this->inside.push_back(tet);
+        this->quality.push_back(std::numeric_limits<double>::quiet_NaN());
       }
       else
       {
         this->inside.erase(this->inside.begin() + (found - this->faces.begin()));
+        this->quality.erase(this->quality.begin() + (found - this->faces.begin()));
         this->faces.erase(found);
       }
     }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImproveStuck.h"
+
+#include "../Mesh/TetFaces.h"
+#include "TetCavity.h"
+#include "TetPatch.h"
+
+#include <algorithm>
+#include <map>
+
+namespace lamina
+{
+namespace
+{
+
+using Tet = std::array<Id, 4>;
+
+constexpr Id Grain = 4096;
+constexpr double LeastGain = 1e-3;
+
+std::size_t Index(Id id)
+{
+  return static_cast<std::size_t>(id);
+}
+
+double ShapeOf(const TetSet& set, const Tet& c)
+{
+  const auto& p = set.points;
+  return ShapeOfTet(p[Index(c[0])], p[Index(c[1])], p[Index(c[2])], p[Index(c[3])]);
+}
+
+double LeastShape(const TetSet& set)
+{
+  double least = 1;
+  for (const Tet& tet : set.tets)
+  {
+    least = std::min(least, ShapeOf(set, tet));
+  }
+  return least;
+}
+
+/// The tets below the gate, worst first.
+std::vector<Id> FindPoor(const TetSet& set, double gate, Monitor& monitor)
+{
+  std::vector<double> shapes(set.tets.size());
+  monitor.For(static_cast<Id>(shapes.size()), Grain,
+              [&](Id begin, Id end)
+              {
+                for (Id t = begin; t < end; ++t)
+                {
+                  shapes[Index(t)] = ShapeOf(set, set.tets[Index(t)]);
+                }
+              });
+  std::vector<Id> poor;
+  for (std::size_t t = 0; t < shapes.size(); ++t)
+  {
+    poor.insert(poor.end(), shapes[t] < gate ? 1 : 0, static_cast<Id>(t));
+  }
+  std::stable_sort(poor.begin(), poor.end(), [&](Id a, Id b) { return shapes[Index(a)] < shapes[Index(b)]; });
+  return poor;
+}
+
+/// The parts of a tet that may be split by a point in their middle: all of it, its edges, its faces.
+std::vector<std::vector<Id>> PartsOf(const Tet& tet)
+{
+  std::vector<std::vector<Id>> parts{ { tet.begin(), tet.end() } };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      parts.push_back({ tet[i], tet[j] });
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    const Triangle face = TetFace(tet, k);
+    parts.push_back({ face.begin(), face.end() });
+  }
+  return parts;
+}
+
+/// The best that can be made of a patch round its worst tet; `least` is raised to its worst shape. False: no
+/// better than it was.
+bool Work(TetSet& patch, const Tet& worst, double gate, double& least, Monitor& monitor)
+{
+  ImproveTetsOptions all;
+  all.target = 0.3;
+  all.pointsBelow = 0.3;
+  const TetSet start = patch;
+  bool isBetter = false;
+  const auto attempt = [&](TetSet& trial)
+  {
+    ImproveTets(trial, all, monitor);
+    const double now = LeastShape(trial);
+    if (now > least + LeastGain)
+    {
+      least = now;
+      patch = std::move(trial);
+      isBetter = true;
+    }
+  };
+  TetSet trial = start;
+  attempt(trial);
+  for (const std::vector<Id>& part : PartsOf(worst))
+  {
+    if (least >= gate || monitor.Cancelled())
+    {
+      break;
+    }
+    trial = start;
+    if (SplitPart(trial, part))
+    {
+      attempt(trial);
+    }
+  }
+  return isBetter;
+}
+
+} // namespace
+
+ImproveStuckReport ImproveStuck(TetSet& set, const ImproveStuckOptions& options, Monitor& monitor)
+{
+  ImproveStuckReport report;
+  set.groups.resize(set.tets.size(), 0);
+  set.fixed.resize(set.points.size(), 0);
+  std::map<Tet, double> failed; ///< tets that nothing helped, by the least shape round them
+  for (int round = 0; round < options.rounds && !monitor.Cancelled(); ++round)
+  {
+    const double done = round / static_cast<double>(options.rounds);
+    SubMonitor within(monitor, done, done); // improvements of patches are no progress of their own
+    const std::vector<Id> poor = FindPoor(set, options.gate, monitor);
+    if (poor.empty())
+    {
+      break;
+    }
+    TetPatches patches(set, options.rings);
+    bool isBetter = false;
+    for (std::size_t i = 0; i < poor.size() && !monitor.Cancelled(); ++i)
+    {
+      Tet worst = set.tets[Index(poor[i])];
+      TetSet patch;
+      if (!patches.Take(poor[i], patch, worst))
+      {
+        continue; // something in it has changed in this round
+      }
+      const double before = LeastShape(patch);
+      double least = before;
+      const auto known = failed.find(set.tets[Index(poor[i])]);
+      if (known != failed.end() && known->second == before)
+      {
+        continue;
+      }
+      ++report.tried;
+      if (Work(patch, worst, options.gate, least, within) && !monitor.Cancelled())
+      {
+        patches.PutBack(patch);
+        ++report.bettered;
+        isBetter = true;
+      }
+      else
+      {
+        failed[set.tets[Index(poor[i])]] = before;
+      }
+    }
+    DropReplaced(set);
+    if (!isBetter)
+    {
+      break;
+    }
+  }
+  return report;
+}
+
+} // namespace lamina
