@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurface.h"
 
+#include "GapFloors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,25 @@ InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, dou
     this->PointStretches = FindStretches(this->Complex, anisotropy, monitor);
   }
   this->Trees = MakeSheetTrees(this->Complex, this->Graph);
+}
+
+void InputSurface::KeepGaps(Monitor& monitor)
+{
+  this->GapFloors = FindGapFloors(this->Complex, this->Mean, monitor);
+  this->WidestFloor = *std::max_element(this->GapFloors.begin(), this->GapFloors.end());
+}
+
+double InputSurface::GapFloor(const TriangleTree::Closest& place) const
+{
+  double least = this->WidestFloor;
+  if (place.triangle >= 0 && !this->GapFloors.empty())
+  {
+    for (Id p : this->Complex.triangles[static_cast<std::size_t>(place.triangle)])
+    {
+      least = std::min(least, this->GapFloors[static_cast<std::size_t>(p)]);
+    }
+  }
+  return least;
 }
 
 TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, double limit) const

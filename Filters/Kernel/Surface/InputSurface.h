@@ -46,6 +46,11 @@ public:
   double WidestTolerance() const { return this->Widest; }
   /// The tolerance at a point of the input.
   double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
+  /// From now on edits must not bring triangles that face each other nearer than FindGapFloors() says.
+  void KeepGaps(Monitor& monitor);
+  /// How near they may bring them, at most and at a place; 0 without KeepGaps().
+  double WidestGapFloor() const { return this->WidestFloor; }
+  double GapFloor(const TriangleTree::Closest& place) const;
   double TargetAt(const TriangleTree::Closest& place) const
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);
@@ -72,6 +77,8 @@ private:
   double Widest; ///< the largest tolerance
   double Share;
   std::vector<double> Tolerances;
+  std::vector<double> GapFloors;
+  double WidestFloor = 0; ///< the largest of them
   std::vector<Stretch> PointStretches;
   SheetTrees Trees;
 };

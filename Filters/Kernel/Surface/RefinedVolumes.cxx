@@ -3,6 +3,7 @@
 
 #include "../Geometry/Quality.h"
 #include "../Search/SelfIntersection.h"
+#include "../Search/SheetGaps.h"
 #include "FarPlaces.h"
 #include "HiddenNodes.h"
 
@@ -24,6 +25,7 @@ constexpr int mostRounds = 12;
 constexpr double held = 1e-9;       ///< of a volume
 constexpr double goodQuality = 0.4; ///< of a triangle; a worse one may lose a little
 constexpr double keptQuality = 0.95;
+constexpr double rounding = 1e-9; ///< of gaps
 
 class Restorer
 {
@@ -34,10 +36,13 @@ public:
     , Sheets(sheets)
     , Targets(targets)
     , Watch(monitor)
+    , Table(MakeEdgeTable(surface.triangles))
     , Star(TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles))
     , Start(surface.points)
     , Hidden(HiddenFlags(surface, Star, monitor))
     , Far(surface, sheets, input)
+    , WidestFloor(input.WidestGapFloor())
+    , Floor(surface.points.size())
   {
     this->FindReaches(input);
   }
@@ -88,6 +93,7 @@ private:
                         const auto p = static_cast<std::size_t>(i);
                         const auto place = input.ClosestOnSheet(sheet[p], this->Start[p], 1e300);
                         this->Tolerance[p] = place.triangle < 0 ? 0 : input.Tolerance(place);
+                        this->Floor[p] = input.GapFloor(place);
                       }
                     });
     for (double tolerance : this->Tolerance)
@@ -161,6 +167,36 @@ private:
     return goals;
   }
 
+  /// The points where triangles that face each other have come nearer than they may and than they were.
+  std::vector<char> Narrow() const
+  {
+    std::vector<char> narrow(this->Start.size(), 0);
+    if (!(this->WidestFloor > 0))
+    {
+      return narrow;
+    }
+    const auto gapsOf = [this](const std::vector<Vec3>& points)
+    {
+      return MeasureGaps(points, this->Surface.triangles, this->Table, this->Star, this->WidestFloor,
+                         this->Watch)
+        .facing;
+    };
+    const std::vector<double> gaps = gapsOf(this->Surface.points);
+    for (std::size_t p = 0; p < gaps.size(); ++p)
+    {
+      narrow[p] = gaps[p] < (1 - rounding) * this->Floor[p] ? 1 : 0;
+    }
+    if (Any(narrow))
+    {
+      const std::vector<double> before = gapsOf(this->Start);
+      for (std::size_t p = 0; p < gaps.size(); ++p)
+      {
+        narrow[p] = narrow[p] && gaps[p] < (1 - rounding) * before[p] ? 1 : 0;
+      }
+    }
+    return narrow;
+  }
+
   /// The triangles that a move has spoiled.
   std::vector<Id> Faults()
   {
@@ -170,9 +206,10 @@ private:
       faults.insert(faults.end(), pair.begin(), pair.end());
     }
     const std::vector<char> hidden = HiddenFlags(this->Surface, this->Star, this->Watch);
+    const std::vector<char> narrow = this->Narrow();
     for (std::size_t p = 0; p < hidden.size(); ++p)
     {
-      if (hidden[p] && !this->Hidden[p])
+      if ((hidden[p] && !this->Hidden[p]) || narrow[p])
       {
         const ListRow row = Row(this->Star, static_cast<Id>(p));
         faults.insert(faults.end(), row.begin(), row.end());
@@ -229,10 +266,13 @@ private:
   const SheetGraph& Sheets;
   const std::vector<double>& Targets;
   Monitor& Watch;
+  EdgeTable Table;
   Lists Star;
   std::vector<Vec3> Start;
   std::vector<char> Hidden; ///< points that were so before any move
   FarPlaces Far;
+  double WidestFloor;
+  std::vector<double> Floor;     ///< of the gaps around a point
   std::vector<double> Tolerance; ///< of edits, one a point
   std::vector<double> Reach;
 };

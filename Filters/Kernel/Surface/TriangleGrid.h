@@ -44,15 +44,16 @@ public:
                      return true;
                    });
   }
-  /// Calls visit(item, id) for the triangles whose boxes overlap that of an item of `boxes`, rounded (some
-  /// more than once); visit returns false to stop. Returns false if it was stopped.
+  /// Calls visit(item, id) for the triangles whose boxes overlap that of an item of `boxes`, grown by `reach`
+  /// and rounded (some more than once); visit returns false to stop. Returns false if it was stopped.
   template<typename Visit>
-  bool ForNear(const std::vector<Box>& boxes, Visit&& visit) const
+  bool ForNear(const std::vector<Box>& boxes, double reach, Visit&& visit) const
   {
     Box all;
     ShortList<Bounds, 16> bounds;
-    for (const Box& box : boxes)
+    for (Box box : boxes)
     {
+      box.Grow(reach);
       all.Add(box);
       bounds.push_back(Shrink(box));
     }
