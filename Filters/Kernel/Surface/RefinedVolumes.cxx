@@ -168,7 +168,7 @@ private:
   }
 
   /// The points where triangles that face each other have come nearer than they may and than they were.
-  std::vector<char> Narrow() const
+  std::vector<char> Narrow()
   {
     std::vector<char> narrow(this->Start.size(), 0);
     if (!(this->WidestFloor > 0))
@@ -188,10 +188,13 @@ private:
     }
     if (Any(narrow))
     {
-      const std::vector<double> before = gapsOf(this->Start);
+      if (this->GapsBefore.empty())
+      {
+        this->GapsBefore = gapsOf(this->Start);
+      }
       for (std::size_t p = 0; p < gaps.size(); ++p)
       {
-        narrow[p] = narrow[p] && gaps[p] < (1 - rounding) * before[p] ? 1 : 0;
+        narrow[p] = narrow[p] && gaps[p] < (1 - rounding) * this->GapsBefore[p] ? 1 : 0;
       }
     }
     return narrow;
@@ -272,8 +275,9 @@ private:
   std::vector<char> Hidden; ///< points that were so before any move
   FarPlaces Far;
   double WidestFloor;
-  std::vector<double> Floor;     ///< of the gaps around a point
-  std::vector<double> Tolerance; ///< of edits, one a point
+  std::vector<double> Floor;      ///< of the gaps around a point
+  std::vector<double> GapsBefore; ///< around the points at the start; empty until they are asked for
+  std::vector<double> Tolerance;  ///< of edits, one a point
   std::vector<double> Reach;
 };
 
