@@ -4,7 +4,6 @@
 #include "RefinementMeasures.h"
 #include "Shapes.h"
 #include "Surface/EditableSurface.h"
-#include "Surface/GapFloors.h"
 #include "Surface/RefinedVolumes.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +48,7 @@ struct BentQuad
     InputSurface input(this->surface, 1, 1, monitor);
     if (keepGaps)
     {
-      input.KeepGaps(monitor);
+      input.KeepGaps();
     }
     EditableSurface edited(input, 0.7, 1.4);
     return edited.Swap(this->a, this->b);
@@ -83,28 +82,22 @@ TEST(EditGaps, ASwapThatWouldBringSheetsNearIsRefused)
   EXPECT_TRUE(BentQuad(0.75).Swaps(true));  // from 0.75 to 0.45, more than a quarter edge
 }
 
-TEST(EditGaps, FloorsAreAQuarterOfAVoxelOrHalfOfWhatIsThere)
+TEST(EditGaps, WhatCountsAsNear)
 {
   ThreadMonitor monitor(2);
-  for (const double distance : { 0.3, 1.5 })
+  for (const int upper : { 1, 2 })
   {
-    TriangleComplex two = Waves(distance, 2);
-    two.targetEdgeLength.assign(two.points.size(), 3);
-    const std::vector<double> floors = FindGapFloors(two, 1, monitor);
-    const double least = *std::min_element(floors.begin(), floors.end());
-    const double most = *std::max_element(floors.begin(), floors.end());
-    EXPECT_DOUBLE_EQ(most, 0.25 * 1.1); // on the outer sides
-    EXPECT_LE(least, std::min(most, 0.5 * distance));
-    EXPECT_GT(least, std::min(0.9 * most, 0.35 * distance)); // slopes are nearer than plumb lines tell
-  }
-  // Around a single material the larger target takes the voxel's place, up to four mean edges.
-  for (const double target : { 0.5, 3.0, 9.0 })
-  {
-    TriangleComplex one = Waves(6, 1);
-    one.targetEdgeLength.assign(one.points.size(), target);
-    const std::vector<double> floors = FindGapFloors(one, 1, monitor);
-    EXPECT_DOUBLE_EQ(*std::max_element(floors.begin(), floors.end()),
-                     0.25 * std::min(4.0, std::max(1.1, target)));
+    TriangleComplex surface = Waves(6, upper);
+    surface.targetEdgeLength.assign(surface.points.size(), 1);
+    InputSurface input(surface, 0.5, 1, monitor);
+    EXPECT_EQ(input.LeastGap(1), 0); // nothing, unless it is asked for
+    input.KeepGaps();
+    // Targets count around a single material, up to four mean edges; else up to a voxel.
+    const double most = (upper == 1 ? 4 : 1.1) * input.MeanEdge();
+    for (const double target : { 0.5, 3.0, 9.0 })
+    {
+      EXPECT_DOUBLE_EQ(input.LeastGap(target), 0.26 * std::min(target, most));
+    }
   }
 }
 
@@ -121,8 +114,9 @@ TEST(EditGaps, CoarseEdgesAndAWideToleranceLeaveTheSheetsApart)
       RefineSurfaceOptions options;
       options.tolerance = 0.6;
       ASSERT_TRUE(RefineSurface(surface, options, monitor));
-      const auto was = measures::MeasureNearness(before, 1, monitor);
-      const auto is = measures::MeasureNearness(surface, 1, monitor);
+      const double unit = std::min(1.0, target); // a voxel, or the target if that is less
+      const auto was = measures::MeasureNearness(before, unit, monitor);
+      const auto is = measures::MeasureNearness(surface, unit, monitor);
       EXPECT_TRUE(measures::StayApart(was, is)) << distance << ": " << was.gap << " -> " << is.gap;
       EXPECT_TRUE(measures::StayOpen(was, is)) << was.angle << " -> " << is.angle;
       EXPECT_NE(surface.triangles.size(), before.triangles.size());
@@ -138,7 +132,7 @@ TEST(EditGaps, SettingVolumesBackKeepsSheetsApartToo)
   const TriangleComplex before = surface;
   ThreadMonitor monitor(2);
   InputSurface input(surface, 0.5, 1, monitor);
-  input.KeepGaps(monitor);
+  input.KeepGaps();
   std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   for (double& target : targets)
   {

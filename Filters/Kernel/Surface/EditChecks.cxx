@@ -134,7 +134,13 @@ bool EditableSurface::KeepsInputNear(Edit& edit) const
 /// No new triangle meets any other but in shared corners and edges, nor comes near to one that it faces.
 bool EditableSurface::IsClearOfOthers(const Edit& edit, bool allVisible) const
 {
-  const double reach = this->Input.WidestGapFloor();
+  double target = this->Target(edit.added[0].corners[0]);
+  for (const Added& t : edit.added)
+  {
+    target = std::min(
+      { target, this->Target(t.corners[0]), this->Target(t.corners[1]), this->Target(t.corners[2]) });
+  }
+  const double reach = this->Input.LeastGap(target);
   return this->Grid.ForNear(this->Boxes, reach,
                             [&](std::size_t i, Id other)
                             {
@@ -155,7 +161,7 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit, bool allVisible) const
                               }
                               const double apart2 = this->Boxes[i].Distance2(this->BoxOf(theirs));
                               return (apart2 > 0 || !TrianglesIntersect(this->Points, t.corners, theirs)) &&
-                                     (apart2 >= reach * reach || this->StaysApart(t, other));
+                                     (apart2 >= reach * reach || this->StaysApart(t, other, reach));
                             });
 }
 

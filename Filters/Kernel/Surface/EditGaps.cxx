@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits that would bring sheets near to each other, or fold triangles onto their neighbours.
 #include "../Mesh/EdgeAngles.h"
-#include "../Search/Clearance.h"
 #include "EditCorners.h"
 #include "EditableSurface.h"
-#include "GapFloors.h"
+#include "FacingPairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,63 +14,20 @@ namespace lamina
 namespace
 {
 
-constexpr double facingCosine = 0.7071; ///< of a normal and a connection: 45 degrees
-constexpr double rounding = 1e-9;
+constexpr double leastFold = 10; ///< degrees between triangles that share an edge
 constexpr double degree = 3.141592653589793 / 180;
-
-using Places = std::array<Vec3, 3>;
-
-/// False if no connection of the two leaves the first within 45 degrees of its normal: it would have to rise
-/// at least as much as it goes aside, but seen along the normal an edge parts the two by more than they rise.
-bool MayFace(const Places& own, const Vec3& normal, const Places& theirs)
-{
-  double rise = 0;
-  for (const Vec3& x : theirs)
-  {
-    rise = std::max(rise, std::abs(Dot(x - own[0], normal)));
-  }
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const Vec3 edge = own[(k + 1) % 3] - own[k];
-    const Vec3 outwards = Cross(edge, normal);
-    double aside = std::min({ Dot(theirs[0] - own[k], outwards), Dot(theirs[1] - own[k], outwards),
-                              Dot(theirs[2] - own[k], outwards) });
-    if (aside > 0 && aside * aside > (1 + 1e-3) * rise * rise * Norm2(edge))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 } // namespace
 
-/// The triangles, which share no corner, do not face each other nearer than sheets may come there.
-bool EditableSurface::StaysApart(const Added& added, Id other) const
+/// The triangles, which share no corner, do not face each other too near.
+bool EditableSurface::StaysApart(const Added& added, Id other, double leastGap) const
 {
-  const Triangle& c = added.corners;
-  const Triangle& d = this->Corners(other);
-  const Places own{ { this->Point(c[0]), this->Point(c[1]), this->Point(c[2]) } };
-  const Places theirs{ { this->Point(d[0]), this->Point(d[1]), this->Point(d[2]) } };
-  const Vec3& normal = this->Normals[U(other)];
-  if (!MayFace(own, added.normal, theirs) || !MayFace(theirs, normal, own))
-  {
-    return true;
-  }
-  const auto floorAt = [&](int sheet, const Vec3& place)
-  { return this->Input.GapFloor(this->Input.ClosestOnSheet(sheet, place, this->Input.WidestTolerance())); };
-  const double widest = this->Input.WidestGapFloor();
-  return AllOfConnections(own, theirs,
-                          [&](const Vec3& from, const Vec3& to)
-                          {
-                            const Vec3 connection = from - to;
-                            const double gap = Norm(connection);
-                            const auto leaves = [&](const Vec3& n)
-                            { return std::abs(Dot(connection, n)) >= facingCosine * gap; };
-                            return gap >= widest || !leaves(added.normal) || !leaves(normal) ||
-                                   gap >= (1 - rounding) * std::min(floorAt(added.sheet, from),
-                                                                    floorAt(this->Sheets[U(other)], to));
-                          });
+  const auto places = [this](const Triangle& c) {
+    return std::array<Vec3, 3>{ { this->Point(c[0]), this->Point(c[1]), this->Point(c[2]) } };
+  };
+  return StayApart({ places(added.corners), added.normal, added.sheet },
+                   { places(this->Corners(other)), this->Normals[U(other)], this->Sheets[U(other)] },
+                   leastGap, InputSurface::ShareOfGap, this->Input);
 }
 
 /// The greatest cosine of the angles that a triangle forms at its edges with `others`, seen with the points
@@ -147,7 +103,7 @@ bool EditableSurface::OpensWide(const Edit& edit, bool allVisible) const
     return cosine;
   };
   const double now = greatest(added, [&](Id p) { return this->Point(p); });
-  return now <= std::cos(LeastFold * degree) ||
+  return now <= std::cos(leastFold * degree) ||
          now <= greatest(removed, [&](Id p) { return p == edit.moved ? edit.from : this->Point(p); });
 }
 

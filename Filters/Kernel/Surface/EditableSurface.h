@@ -158,7 +158,7 @@ private:
   double PlaceSamples(Edit& edit) const;
   bool IsClearOfOthers(const Edit& edit, bool allVisible) const;
   bool IsClearOfItself(const Edit& edit) const;
-  bool StaysApart(const Added& added, Id other) const;
+  bool StaysApart(const Added& added, Id other, double leastGap) const;
   bool OpensWide(const Edit& edit, bool allVisible) const;
   template<typename At>
   double GreatestCosine(const Triangle& corners, const std::vector<Triangle>& others, bool all,

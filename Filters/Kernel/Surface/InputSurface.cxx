@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurface.h"
 
-#include "GapFloors.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,10 @@ namespace lamina
 
 namespace
 {
+
+constexpr double leastGap = 0.26; ///< in voxels: a quarter is promised, the rest is for correcting volumes
+constexpr double voxelPerMeanEdge = 1.1; ///< at most, where smoothing has been
+constexpr double mostMeanEdges = 4;      ///< that targets count where there are no voxels
 
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {
@@ -60,23 +62,20 @@ InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, dou
   this->Trees = MakeSheetTrees(this->Complex, this->Graph);
 }
 
-void InputSurface::KeepGaps(Monitor& monitor)
+void InputSurface::KeepGaps()
 {
-  this->GapFloors = FindGapFloors(this->Complex, this->Mean, monitor);
-  this->WidestFloor = *std::max_element(this->GapFloors.begin(), this->GapFloors.end());
+  const bool isSingle = MaterialsOf(this->Complex).size() == 1;
+  this->WidestGap = leastGap * (isSingle ? mostMeanEdges : voxelPerMeanEdge) * this->Mean;
 }
 
-double InputSurface::GapFloor(const TriangleTree::Closest& place) const
+double InputSurface::LeastGap(double target) const
 {
-  double least = this->WidestFloor;
-  if (place.triangle >= 0 && !this->GapFloors.empty())
-  {
-    for (Id p : this->Complex.triangles[static_cast<std::size_t>(place.triangle)])
-    {
-      least = std::min(least, this->GapFloors[static_cast<std::size_t>(p)]);
-    }
-  }
-  return least;
+  return std::min(leastGap * target, this->WidestGap);
+}
+
+Vec3 InputSurface::Origin(int sheet, const Vec3& p) const
+{
+  return this->Trees[static_cast<std::size_t>(sheet)]->ClosestPoint(p).point;
 }
 
 TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, double limit) const

@@ -118,7 +118,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   }
   const std::vector<double> before = MaterialVolumes(surface, materials);
   InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
-  input.KeepGaps(monitor);
+  input.KeepGaps();
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -3,7 +3,7 @@
 
 #include "../Geometry/Quality.h"
 #include "../Search/SelfIntersection.h"
-#include "../Search/SheetGaps.h"
+#include "FacingPairs.h"
 #include "FarPlaces.h"
 #include "HiddenNodes.h"
 
@@ -25,7 +25,6 @@ constexpr int mostRounds = 12;
 constexpr double held = 1e-9;       ///< of a volume
 constexpr double goodQuality = 0.4; ///< of a triangle; a worse one may lose a little
 constexpr double keptQuality = 0.95;
-constexpr double rounding = 1e-9; ///< of gaps
 
 class Restorer
 {
@@ -35,14 +34,12 @@ public:
     : Surface(surface)
     , Sheets(sheets)
     , Targets(targets)
+    , Input(input)
     , Watch(monitor)
-    , Table(MakeEdgeTable(surface.triangles))
     , Star(TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles))
     , Start(surface.points)
     , Hidden(HiddenFlags(surface, Star, monitor))
     , Far(surface, sheets, input)
-    , WidestFloor(input.WidestGapFloor())
-    , Floor(surface.points.size())
   {
     this->FindReaches(input);
   }
@@ -93,7 +90,6 @@ private:
                         const auto p = static_cast<std::size_t>(i);
                         const auto place = input.ClosestOnSheet(sheet[p], this->Start[p], 1e300);
                         this->Tolerance[p] = place.triangle < 0 ? 0 : input.Tolerance(place);
-                        this->Floor[p] = input.GapFloor(place);
                       }
                     });
     for (double tolerance : this->Tolerance)
@@ -167,52 +163,20 @@ private:
     return goals;
   }
 
-  /// The points where triangles that face each other have come nearer than they may and than they were.
-  std::vector<char> Narrow()
-  {
-    std::vector<char> narrow(this->Start.size(), 0);
-    if (!(this->WidestFloor > 0))
-    {
-      return narrow;
-    }
-    const auto gapsOf = [this](const std::vector<Vec3>& points)
-    {
-      return MeasureGaps(points, this->Surface.triangles, this->Table, this->Star, this->WidestFloor,
-                         this->Watch)
-        .facing;
-    };
-    const std::vector<double> gaps = gapsOf(this->Surface.points);
-    for (std::size_t p = 0; p < gaps.size(); ++p)
-    {
-      narrow[p] = gaps[p] < (1 - rounding) * this->Floor[p] ? 1 : 0;
-    }
-    if (Any(narrow))
-    {
-      if (this->GapsBefore.empty())
-      {
-        this->GapsBefore = gapsOf(this->Start);
-      }
-      for (std::size_t p = 0; p < gaps.size(); ++p)
-      {
-        narrow[p] = narrow[p] && gaps[p] < (1 - rounding) * this->GapsBefore[p] ? 1 : 0;
-      }
-    }
-    return narrow;
-  }
-
   /// The triangles that a move has spoiled.
   std::vector<Id> Faults()
   {
     std::vector<Id> faults = this->Far.Find(this->Watch);
+    const std::vector<Id> narrow = FindNarrow(this->Surface, this->Sheets, this->Input, this->Watch);
+    faults.insert(faults.end(), narrow.begin(), narrow.end());
     for (const auto& pair : FindIntersections(this->Surface.points, this->Surface.triangles, this->Watch))
     {
       faults.insert(faults.end(), pair.begin(), pair.end());
     }
     const std::vector<char> hidden = HiddenFlags(this->Surface, this->Star, this->Watch);
-    const std::vector<char> narrow = this->Narrow();
     for (std::size_t p = 0; p < hidden.size(); ++p)
     {
-      if ((hidden[p] && !this->Hidden[p]) || narrow[p])
+      if (hidden[p] && !this->Hidden[p])
       {
         const ListRow row = Row(this->Star, static_cast<Id>(p));
         faults.insert(faults.end(), row.begin(), row.end());
@@ -268,16 +232,13 @@ private:
   TriangleComplex& Surface;
   const SheetGraph& Sheets;
   const std::vector<double>& Targets;
+  const InputSurface& Input;
   Monitor& Watch;
-  EdgeTable Table;
   Lists Star;
   std::vector<Vec3> Start;
   std::vector<char> Hidden; ///< points that were so before any move
   FarPlaces Far;
-  double WidestFloor;
-  std::vector<double> Floor;      ///< of the gaps around a point
-  std::vector<double> GapsBefore; ///< around the points at the start; empty until they are asked for
-  std::vector<double> Tolerance;  ///< of edits, one a point
+  std::vector<double> Tolerance; ///< of edits, one a point
   std::vector<double> Reach;
 };
 
