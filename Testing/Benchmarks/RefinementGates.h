@@ -31,6 +31,12 @@ inline std::vector<std::string> BrokenGuarantees(const RefinementFigures& figure
   demand(figures.eulerNumbers == 0, std::to_string(figures.eulerNumbers) + " Euler numbers change");
   demand(figures.piecesKept, "the number of sheets or shells changes");
   demand(figures.intersections == 0, std::to_string(figures.intersections) + " pairs intersect");
+  demand(StayApart(figures.nearBefore, figures.nearAfter),
+         "sheets come within " + std::to_string(figures.nearAfter.gap) + " of each other, from " +
+           std::to_string(figures.nearBefore.gap));
+  demand(StayOpen(figures.nearBefore, figures.nearAfter),
+         "triangles meet at " + std::to_string(figures.nearAfter.angle) + " degrees, before at " +
+           std::to_string(figures.nearBefore.angle));
   demand(figures.hidden == report.hiddenNodes, std::to_string(figures.hidden) + " nodes are hidden, and " +
                                                  std::to_string(report.hiddenNodes) + " reported");
   return broken;

@@ -6,6 +6,7 @@
 #include "Geometry/VisibleDirection.h"
 #include "Mesh/JunctionGraph.h"
 #include "Mesh/VolumeCorrection.h"
+#include "RefinementGaps.h"
 #include "Search/SelfIntersection.h"
 #include "Surface/RefineSurface.h"
 
@@ -50,6 +51,8 @@ struct RefinementFigures
   bool piecesKept = false; ///< as many sheets and shells
   Id intersections = 0;
   Id hidden = 0; ///< nodes without a direction
+  Nearness nearBefore;
+  Nearness nearAfter;
 };
 
 /// How many equilateral triangles of the targets cover the surface.
@@ -407,6 +410,12 @@ inline RefinementFigures Measure(const TriangleComplex& before, const TriangleCo
   MeasureDistances(before, after, options, voxel, figures, monitor);
   MeasureTopology(before, after, figures, monitor);
   MeasureSights(before, after, verbose, figures, monitor);
+  const Nearness& was = figures.nearBefore = MeasureNearness(before, voxel, monitor);
+  const Nearness& is = figures.nearAfter = MeasureNearness(after, voxel, monitor);
+  std::printf(
+    "  sheets: least distance %.3f -> %.3f %s, below a quarter at %lld -> %lld points; least angle %.1f -> "
+    "%.1f degrees\n",
+    was.gap, is.gap, voxel > 0 ? "voxels" : "targets", was.near, is.near, was.angle, is.angle);
   std::fflush(stdout);
   return figures;
 }

@@ -21,7 +21,7 @@ bool ShareCorner(const Triangle& s, const Triangle& t)
 
 } // namespace
 
-Vec3 SegmentConnection(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)
+std::array<double, 2> SegmentParameters(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)
 {
   const Vec3 u = p2 - p;
   const Vec3 v = q2 - q;
@@ -39,7 +39,13 @@ Vec3 SegmentConnection(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3&
     t = Clamp01(t);
     s = a > 0 ? Clamp01((b * t - d) / a) : 0.0;
   }
-  return w + s * u - t * v;
+  return { { s, t } };
+}
+
+Vec3 SegmentConnection(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)
+{
+  const auto at = SegmentParameters(p, p2, q, q2);
+  return p - q + at[0] * (p2 - p) - at[1] * (q2 - q);
 }
 
 double TriangleTriangleDistance2(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t)

@@ -32,6 +32,7 @@ struct Box
   void Grow(double by);
   bool Overlaps(const Box& b) const;
   double Distance2(const Vec3& p) const; ///< squared distance to p, 0 inside
+  double Distance2(const Box& b) const;  ///< to another box, 0 where they overlap
 };
 
 /// A static bounding volume hierarchy over the triangles given at construction. Queries are const and

@@ -46,6 +46,17 @@ inline double Box::Distance2(const Vec3& p) const
   return sum;
 }
 
+inline double Box::Distance2(const Box& b) const
+{
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double d = std::max({ this->low[i] - b.high[i], 0.0, b.low[i] - this->high[i] });
+    sum += d * d;
+  }
+  return sum;
+}
+
 namespace tree
 {
 

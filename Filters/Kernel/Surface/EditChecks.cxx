@@ -3,6 +3,7 @@
 #include "EditableSurface.h"
 
 #include "../Geometry/Predicates.h"
+#include "EditCorners.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,8 +22,8 @@ bool EditableSurface::IsSound(Edit& edit) const
 {
   bool allVisible = true;
   return this->HasGoodShapes(edit) && this->KeepsNodesVisible(edit, allVisible) && this->IsNearInput(edit) &&
-         this->KeepsInputNear(edit) && this->IsClearOfOthers(edit) &&
-         (allVisible || this->IsClearOfItself(edit));
+         this->KeepsInputNear(edit) && this->IsClearOfOthers(edit, allVisible) &&
+         (allVisible || this->IsClearOfItself(edit)) && this->OpensWide(edit, allVisible);
 }
 
 bool EditableSurface::HasGoodShapes(Edit& edit) const
@@ -130,15 +131,37 @@ bool EditableSurface::KeepsInputNear(Edit& edit) const
   return this->PlaceSamples(edit) <= 1;
 }
 
-/// No new triangle meets any other but in shared corners and edges.
-bool EditableSurface::IsClearOfOthers(const Edit& edit) const
+/// No new triangle meets any other but in shared corners and edges, nor comes near to one that it faces.
+bool EditableSurface::IsClearOfOthers(const Edit& edit, bool allVisible) const
 {
-  return this->Grid.ForNear(this->Boxes,
+  double target = this->Target(edit.added[0].corners[0]);
+  for (const Added& t : edit.added)
+  {
+    target = std::min(
+      { target, this->Target(t.corners[0]), this->Target(t.corners[1]), this->Target(t.corners[2]) });
+  }
+  const double reach = this->Input.LeastGap(target);
+  return this->Grid.ForNear(this->Boxes, reach,
                             [&](std::size_t i, Id other)
                             {
-                              return std::binary_search(edit.removed.begin(), edit.removed.end(), other) ||
-                                     !TrianglesIntersect(this->Points, edit.added[i].corners,
-                                                         this->Corners(other));
+                              if (std::binary_search(edit.removed.begin(), edit.removed.end(), other))
+                              {
+                                return true;
+                              }
+                              const Added& t = edit.added[i];
+                              const Triangle& theirs = this->Corners(other);
+                              for (Id p : theirs)
+                              {
+                                if (Has(t.corners, p))
+                                {
+                                  // Seen from where all faces at p show, those of one sheet lie side by side.
+                                  return (allVisible && this->Classes[U(p)] == OnSheet) ||
+                                         !TrianglesIntersect(this->Points, t.corners, theirs);
+                                }
+                              }
+                              const double apart2 = this->Boxes[i].Distance2(this->BoxOf(theirs));
+                              return (apart2 > 0 || !TrianglesIntersect(this->Points, t.corners, theirs)) &&
+                                     (apart2 >= reach * reach || this->StaysApart(t, other, reach));
                             });
 }
 

@@ -142,6 +142,8 @@ bool EditableSurface::MergeInto(Id gone, Id kept, const EdgeTriangles& shared, c
   edit.leastQuality = std::min(0.3, worst + (anyLength ? 1e-6 : 0));
   edit.centre = moves ? kept : -1;
   const Vec3 before = this->Point(kept);
+  edit.moved = kept;
+  edit.from = before;
   const double target = this->Target(kept);
   this->Points[U(kept)] = place;
   this->Targets[U(kept)] = std::min(target, this->Target(gone));

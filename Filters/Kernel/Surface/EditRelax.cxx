@@ -35,6 +35,8 @@ bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
   edit.leastQuality = leastQuality;
   edit.centre = p;
   const Vec3 before = this->Point(p);
+  edit.moved = p;
+  edit.from = before;
   this->Points[U(p)] = place;
   const bool sound = this->IsSound(edit);
   this->Points[U(p)] = before;

@@ -31,7 +31,7 @@ double EditableSurface::Visibility(Id p, const Edit* edit, double* blocked) cons
     Vec3 normal;
     MaterialPair pair;
   };
-  std::vector<Face> faces;
+  ShortList<Face, 32> faces;
   const auto add = [&](const Vec3& normal, int sheet)
   {
     faces.push_back(
@@ -58,8 +58,9 @@ double EditableSurface::Visibility(Id p, const Edit* edit, double* blocked) cons
   // A point of a sheet has one pair: its cone is the same seen from both sides.
   double least = 1;
   double sumOfAll = 0;
-  std::vector<int> done;
+  ShortList<int, 8> done;
   std::vector<Vec3> normals;
+  normals.reserve(faces.size());
   for (const Face& face : faces)
   {
     for (int material : { face.pair.first, face.pair.second })
@@ -162,6 +163,10 @@ bool EditableSurface::KeepsNodesVisible(const Edit& edit, bool& allVisible) cons
         nodes.push_back(p);
       }
     }
+  }
+  if (const auto mended = std::find(nodes.begin(), nodes.end(), this->Mended); mended != nodes.end())
+  {
+    std::swap(*mended, *nodes.begin()); // what is most often in the way comes first
   }
   for (Id p : nodes)
   {

@@ -129,16 +129,6 @@ bool EditableSurface::IsFeature(const EdgeTriangles& triangles) const
   return triangles.size() != 2 || this->Sheets[U(triangles[0])] != this->Sheets[U(triangles[1])];
 }
 
-Box EditableSurface::BoxOf(const Triangle& t) const
-{
-  Box box;
-  for (Id p : t)
-  {
-    box.Add(this->Point(p));
-  }
-  return box;
-}
-
 void EditableSurface::Insert(Id id, const Triangle& corners, int sheet, const Vec3& normal, Id hint)
 {
   this->Triangles[U(id)] = corners;
@@ -200,6 +190,7 @@ EditableSurface::Edit& EditableSurface::RemovalOf(const EdgeTriangles& triangles
   edit.owners.clear();
   edit.leastQuality = 0;
   edit.centre = -1;
+  edit.moved = -1;
   return edit;
 }
 

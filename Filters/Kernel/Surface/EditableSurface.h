@@ -118,6 +118,8 @@ private:
     std::vector<Added> added;
     double leastQuality = 0;         ///< no added triangle may be worse
     Id centre = -1;                  ///< the corner that all added triangles share, if there is one
+    Id moved = -1;                   ///< the point that the edit moves, if there is one
+    Vec3 from;                       ///< where it was
     std::vector<SampleOwner> owners; ///< of the input's samples on the removed triangles
   };
 
@@ -154,13 +156,26 @@ private:
   bool KeepsInputNear(Edit& edit) const;
   /// Fill the owners; the largest distance over tolerance of a sample, squared.
   double PlaceSamples(Edit& edit) const;
-  bool IsClearOfOthers(const Edit& edit) const;
+  bool IsClearOfOthers(const Edit& edit, bool allVisible) const;
   bool IsClearOfItself(const Edit& edit) const;
+  bool StaysApart(const Added& added, Id other, double leastGap) const;
+  bool OpensWide(const Edit& edit, bool allVisible) const;
+  template<typename At>
+  double GreatestCosine(const Triangle& corners, const std::vector<Triangle>& others, bool all,
+                        At&& at) const;
   bool KeepsNodesVisible(const Edit& edit, bool& allVisible) const;
   double Visibility(Id p, const Edit* edit, double* blocked = nullptr) const;
   double SightAfter(Id p, const Edit& edit) const;
 
-  Box BoxOf(const Triangle& t) const;
+  Box BoxOf(const Triangle& t) const
+  {
+    Box box;
+    for (Id p : t)
+    {
+      box.Add(this->Point(p));
+    }
+    return box;
+  }
   /// Put the added triangles in and the removed ones out; `moved`, if not negative, comes to lie at `place`.
   void Commit(const Edit& edit, Id moved = -1, const Vec3& place = {});
   void Insert(Id id, const Triangle& corners, int sheet, const Vec3& normal, Id hint);

@@ -10,6 +10,10 @@ namespace lamina
 namespace
 {
 
+constexpr double leastGap = 0.26; ///< in voxels: a quarter is promised, the rest is for correcting volumes
+constexpr double voxelPerMeanEdge = 1.1; ///< at most, where smoothing has been
+constexpr double mostMeanEdges = 4;      ///< that targets count where there are no voxels
+
 double DefaultTolerance(const TriangleComplex& surface, std::size_t point, double mean)
 {
   const double size = surface.featureSize.empty() ? 0 : surface.featureSize[point];
@@ -56,6 +60,22 @@ InputSurface::InputSurface(const TriangleComplex& surface, double tolerance, dou
     this->PointStretches = FindStretches(this->Complex, anisotropy, monitor);
   }
   this->Trees = MakeSheetTrees(this->Complex, this->Graph);
+}
+
+void InputSurface::KeepGaps()
+{
+  const bool isSingle = MaterialsOf(this->Complex).size() == 1;
+  this->WidestGap = leastGap * (isSingle ? mostMeanEdges : voxelPerMeanEdge) * this->Mean;
+}
+
+double InputSurface::LeastGap(double target) const
+{
+  return std::min(leastGap * target, this->WidestGap);
+}
+
+Vec3 InputSurface::Origin(int sheet, const Vec3& p) const
+{
+  return this->Trees[static_cast<std::size_t>(sheet)]->ClosestPoint(p).point;
 }
 
 TriangleTree::Closest InputSurface::ClosestOnSheet(int sheet, const Vec3& p, double limit) const

@@ -46,6 +46,17 @@ public:
   double WidestTolerance() const { return this->Widest; }
   /// The tolerance at a point of the input.
   double Tolerance(Id point) const { return this->Tolerances[static_cast<std::size_t>(point)]; }
+  /// From now on edits must keep triangles that face each other apart.
+  void KeepGaps();
+  bool KeepsGaps() const { return this->WidestGap > 0; }
+  /// As far as this, or ShareOfGap of what lay between their places in the input if that is less: somewhat
+  /// more than a quarter of a voxel, of which the mean edge tells the size, or of the target if that is less.
+  /// Around a single material there may never have been voxels: there the target alone counts. 0 without
+  /// KeepGaps().
+  double LeastGap(double target) const;
+  static constexpr double ShareOfGap = 0.53; ///< half of it is promised; the rest is for correcting volumes
+  /// The place of a sheet nearest to p.
+  Vec3 Origin(int sheet, const Vec3& p) const;
   double TargetAt(const TriangleTree::Closest& place) const
   {
     return this->Interpolate(this->Complex.targetEdgeLength, place);
@@ -71,6 +82,7 @@ private:
   double Mean;
   double Widest; ///< the largest tolerance
   double Share;
+  double WidestGap = 0; ///< between triangles that face each other
   std::vector<double> Tolerances;
   std::vector<Stretch> PointStretches;
   SheetTrees Trees;

@@ -122,7 +122,8 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     return *error;
   }
   const std::vector<double> before = MaterialVolumes(surface, materials);
-  const InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
+  InputSurface input(surface, options.tolerance, options.tangentialAnisotropy, monitor);
+  input.KeepGaps();
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -3,6 +3,7 @@
 
 #include "../Geometry/Quality.h"
 #include "../Search/SelfIntersection.h"
+#include "FacingPairs.h"
 #include "FarPlaces.h"
 #include "HiddenNodes.h"
 
@@ -33,6 +34,7 @@ public:
     : Surface(surface)
     , Sheets(sheets)
     , Targets(targets)
+    , Input(input)
     , Watch(monitor)
     , Star(TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles))
     , Start(surface.points)
@@ -165,6 +167,8 @@ private:
   std::vector<Id> Faults()
   {
     std::vector<Id> faults = this->Far.Find(this->Watch);
+    const std::vector<Id> narrow = FindNarrow(this->Surface, this->Sheets, this->Input, this->Watch);
+    faults.insert(faults.end(), narrow.begin(), narrow.end());
     for (const auto& pair : FindIntersections(this->Surface.points, this->Surface.triangles, this->Watch))
     {
       faults.insert(faults.end(), pair.begin(), pair.end());
@@ -228,6 +232,7 @@ private:
   TriangleComplex& Surface;
   const SheetGraph& Sheets;
   const std::vector<double>& Targets;
+  const InputSurface& Input;
   Monitor& Watch;
   Lists Star;
   std::vector<Vec3> Start;

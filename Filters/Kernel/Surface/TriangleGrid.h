@@ -24,19 +24,19 @@ public:
   void Insert(Id triangle, const Box& box)
   {
     const Entry entry{ static_cast<int>(triangle), Shrink(box) };
-    this->ForCells(box,
-                   [&](std::uint64_t key)
+    this->ForCells(entry.bounds,
+                   [&](const Place& place)
                    {
-                     this->Cells[this->Make(key)].push_back(entry);
+                     this->Cells[this->Make(KeyOf(place))].push_back(entry);
                      return true;
                    });
   }
   void Erase(Id triangle, const Box& box)
   {
-    this->ForCells(box,
-                   [&](std::uint64_t key)
+    this->ForCells(Shrink(box),
+                   [&](const Place& place)
                    {
-                     Cell& cell = this->Cells[this->Make(key)];
+                     Cell& cell = this->Cells[this->Make(KeyOf(place))];
                      const auto found = std::find_if(cell.begin(), cell.end(),
                                                      [&](const Entry& e) { return e.triangle == triangle; });
                      *found = cell.back();
@@ -44,22 +44,27 @@ public:
                      return true;
                    });
   }
-  /// Calls visit(item, id) for the triangles whose boxes overlap that of an item of `boxes`, rounded (some
-  /// more than once); visit returns false to stop. Returns false if it was stopped.
+  /// Calls visit(item, id) for the triangles whose boxes overlap that of an item of `boxes`, grown by `reach`
+  /// and rounded, each pair once; visit returns false to stop. Returns false if it was stopped.
   template<typename Visit>
-  bool ForNear(const std::vector<Box>& boxes, Visit&& visit) const
+  bool ForNear(const std::vector<Box>& boxes, double reach, Visit&& visit) const
   {
     Box all;
     ShortList<Bounds, 16> bounds;
-    for (const Box& box : boxes)
+    for (Box box : boxes)
     {
+      box.Grow(reach);
       all.Add(box);
       bounds.push_back(Shrink(box));
     }
     const Bounds whole = Shrink(all);
-    const auto look = [&](const Entry& e)
+    const auto look = [&](const Place& place, const Entry& e)
     {
-      for (std::size_t i = 0; Overlap(e.bounds, whole) && i < boxes.size(); ++i)
+      if (!Overlap(e.bounds, whole) || !this->StartsIn(place, e.bounds, whole))
+      {
+        return true;
+      }
+      for (std::size_t i = 0; i < boxes.size(); ++i)
       {
         if (Overlap(e.bounds, bounds[i]) && !visit(i, static_cast<Id>(e.triangle)))
         {
@@ -68,12 +73,13 @@ public:
       }
       return true;
     };
-    return this->ForCells(all,
-                          [&](std::uint64_t key)
+    return this->ForCells(whole,
+                          [&](const Place& place)
                           {
-                            const int cell = this->Table[this->Find(key)].cell;
+                            const int cell = this->Table[this->Find(KeyOf(place))].cell;
                             return cell < 0 || std::all_of(this->Cells[Index(cell)].begin(),
-                                                           this->Cells[Index(cell)].end(), look);
+                                                           this->Cells[Index(cell)].end(),
+                                                           [&](const Entry& e) { return look(place, e); });
                           });
   }
 
@@ -89,6 +95,7 @@ private:
     Bounds bounds;
   };
   using Cell = std::vector<Entry>;
+  using Place = std::array<std::int64_t, 3>; ///< of a cell
   struct Slot
   {
     std::uint64_t key = 0;
@@ -146,25 +153,35 @@ private:
     return Index(this->Table[slot].cell);
   }
   std::int64_t At(double x) const { return static_cast<std::int64_t>(std::floor(x * this->Inverse)); }
-  template<typename Do>
-  bool ForCells(const Box& box, Do&& act) const
+  /// True if what two overlapping bounds share has its lower corner in this cell, as it has in one alone.
+  bool StartsIn(const Place& place, const Bounds& a, const Bounds& b) const
   {
-    const std::int64_t i0 = this->At(box.low.x);
-    const std::int64_t j0 = this->At(box.low.y);
-    const std::int64_t k0 = this->At(box.low.z);
-    const std::int64_t i1 = this->At(box.high.x);
-    const std::int64_t j1 = this->At(box.high.y);
-    const std::int64_t k1 = this->At(box.high.z);
+    return this->At(std::max(a.low[0], b.low[0])) == place[0] &&
+           this->At(std::max(a.low[1], b.low[1])) == place[1] &&
+           this->At(std::max(a.low[2], b.low[2])) == place[2];
+  }
+  static std::uint64_t KeyOf(const Place& place)
+  {
+    return (static_cast<std::uint64_t>(place[0]) & 0x1fffff) |
+           (static_cast<std::uint64_t>(place[1]) & 0x1fffff) << 21 |
+           (static_cast<std::uint64_t>(place[2]) & 0x1fffff) << 42;
+  }
+  template<typename Do>
+  bool ForCells(const Bounds& bounds, Do&& act) const
+  {
+    const std::int64_t i0 = this->At(bounds.low[0]);
+    const std::int64_t j0 = this->At(bounds.low[1]);
+    const std::int64_t k0 = this->At(bounds.low[2]);
+    const std::int64_t i1 = this->At(bounds.high[0]);
+    const std::int64_t j1 = this->At(bounds.high[1]);
+    const std::int64_t k1 = this->At(bounds.high[2]);
     for (std::int64_t k = k0; k <= k1; ++k)
     {
       for (std::int64_t j = j0; j <= j1; ++j)
       {
         for (std::int64_t i = i0; i <= i1; ++i)
         {
-          const std::uint64_t key = (static_cast<std::uint64_t>(i) & 0x1fffff) |
-                                    (static_cast<std::uint64_t>(j) & 0x1fffff) << 21 |
-                                    (static_cast<std::uint64_t>(k) & 0x1fffff) << 42;
-          if (!act(key))
+          if (!act({ { i, j, k } }))
           {
             return false;
           }
