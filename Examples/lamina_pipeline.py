@@ -196,10 +196,14 @@ class Pipeline:
         stage = simple.MultimaterialSegmentation(Input=producer(image))
         if mask is not None:
             stage.Mask = producer(mask)
-        stage.Thresholds = options.thresholds or [50, 110, 150]
+        stage.Thresholds = options.thresholds or []  # none: from the histogram
         stage.OpenAtImageBorder = int("image" in options.open_border)
         stage.OpenAtMaskBorder = int("mask" in options.open_border)
-        return self.run_stage("Multimaterial Segmentation", stage)
+        title = "Multimaterial Segmentation"
+        output = self.run_stage(title, stage)
+        if not options.thresholds:
+            print("  thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in report_of(output, title)["thresholds"]), flush=True)
+        return output
 
     def choose(self, labels, options):
         """Which materials are solid and which fluid. What is named must be there; defaults need not."""
