@@ -149,6 +149,8 @@ class Pipeline:
             counts["cells"] = output.GetNumberOfCells()
         report = report_of(output, title)
         self.end(**counts, **({"report": report} if report else {}))
+        if report and report.get("summary"):
+            print(f"  {report['summary']}", flush=True)
         return output
 
     # The work ----------------------------------------------------------------------------------------------------------
@@ -199,11 +201,7 @@ class Pipeline:
         stage.Thresholds = options.thresholds or []  # none: from the histogram
         stage.OpenAtImageBorder = int("image" in options.open_border)
         stage.OpenAtMaskBorder = int("mask" in options.open_border)
-        title = "Multimaterial Segmentation"
-        output = self.run_stage(title, stage)
-        if not options.thresholds:
-            print("  thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in report_of(output, title)["thresholds"]), flush=True)
-        return output
+        return self.run_stage("Multimaterial Segmentation", stage)
 
     def choose(self, labels, options):
         """Which materials are solid and which fluid. What is named must be there; defaults need not."""

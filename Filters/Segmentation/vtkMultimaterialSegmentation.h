@@ -194,6 +194,11 @@ public:
   vtkGetMacro(RepairTopology, int);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkMultimaterialSegmentation();
   ~vtkMultimaterialSegmentation() override = default;

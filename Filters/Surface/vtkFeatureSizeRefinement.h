@@ -103,6 +103,11 @@ public:
   vtkGetMacro(TangentialAnisotropy, double);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkFeatureSizeRefinement();
   ~vtkFeatureSizeRefinement() override = default;

@@ -127,6 +127,11 @@ public:
   int GetWallPatchId(int index);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkPrismLayer();
   ~vtkPrismLayer() override = default;
