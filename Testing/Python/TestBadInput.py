@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a new user runs into: a plugin of another ParaView, a program that is missing or broken, Python without the module, a state file of
-an older version, an image that is still being written.
+an older version, an image that is still being written, ParaView closed during a run.
 
     pvpython TestBadInput.py SOURCES
 """
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as ElementTree
 
 import files
@@ -27,6 +29,15 @@ import tiny
 stages = tiny.pipeline()
 stages["audit"].UpdatePipeline()
 print("passed", stages["audit"].GetClientSideObject().GetPassed(), stages["audit"].GetDataInformation().GetNumberOfCells())
+"""
+
+LONG = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import tiny
+core = tiny.pipeline()["core"]
+core.MaximumEdge = 0.04
+core.UpdatePipeline()
 """
 
 WITHOUT_PLUGIN = """
@@ -144,9 +155,55 @@ def check_unfinished_image(folder):
     print("an image still being written: refused")
 
 
+def child_of(process):
+    """The running lamina-tetgen that the process started; None if there is none."""
+    for entry in os.listdir("/proc"):
+        try:
+            with open(f"/proc/{entry}/stat", encoding="ascii", errors="replace") as file:
+                name, rest = file.read().split("(", 1)[1].rsplit(")", 1)
+        except (OSError, IndexError):
+            continue
+        if name == "lamina-tetgen" and int(rest.split()[1]) == process:
+            return int(entry)
+    return None
+
+
+def runs(process):
+    try:
+        with open(f"/proc/{process}/stat", encoding="ascii", errors="replace") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+def check_closed(folder):
+    """ParaView goes away in the middle of a run: so does the program it had started."""
+    parent = subprocess.Popen(["pvpython", "--no-mpi", script(folder, "long.py", LONG), os.path.dirname(os.path.abspath(__file__))],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + 120
+    child = None
+    while child is None and time.monotonic() < end and parent.poll() is None:
+        time.sleep(0.05)
+        child = child_of(parent.pid)
+    if child is None:
+        parent.kill()
+        sys.exit("FAILED: lamina-tetgen was never started")
+    time.sleep(1)
+    check(runs(child), "lamina-tetgen was done at once: this proves nothing")
+    parent.kill()
+    parent.wait()
+    end = time.monotonic() + 20
+    while runs(child) and time.monotonic() < end:
+        time.sleep(0.1)
+    if runs(child):
+        os.kill(child, signal.SIGKILL)
+        sys.exit("FAILED: lamina-tetgen went on without its ParaView")
+    print("ParaView closed during a run: nothing goes on")
+
+
 def main():
     sys.stdout = open(1, "w", buffering=1, closefd=False)
-    for part in (check_version, check_program, check_module, check_old_state, check_unfinished_image):
+    for part in (check_version, check_program, check_module, check_old_state, check_unfinished_image, check_closed):
         with tempfile.TemporaryDirectory() as folder:
             part(folder)
 
