@@ -8,11 +8,13 @@ if(LAMINA_BUILD_TESTING)
 endif()
 lamina_find_rooms(Common Segmentation Surface Sizing Volume Mesh IO)
 
-option(LAMINA_WITH_WINDOW "Build LaminaWindow, the plugin of icons for ParaView's window (Qt Core)" ${PARAVIEW_USE_QT})
+option(LAMINA_WITH_WINDOW "Build LaminaWindow, the plugin of icons and widgets for ParaView's window (Qt)" ${PARAVIEW_USE_QT})
 set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
 if(LAMINA_WITH_WINDOW)
   list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Window/paraview.plugin")
-  find_package(Qt5 REQUIRED COMPONENTS Core)
+  find_package(Qt5 REQUIRED COMPONENTS Core Widgets)
+  find_library(LAMINA_PQ_CORE "pqCore-pv${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}" REQUIRED)
+  find_library(LAMINA_PQ_COMPONENTS "pqComponents-pv${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}" REQUIRED)
 endif()
 
 # Plugin/paraview.plugin links to the manifest in the root: given the latter, ParaView would add the root to itself.

@@ -108,7 +108,7 @@ def parse(arguments):
     p.add_argument("--output", required=True, metavar="DIR", help="folder of the results")
     p.add_argument("--labels", action="store_true", help="INPUT holds material ids already")
     p.add_argument("--thresholds", type=numbers, metavar="A,B[,C]",
-                   help="three: other, tissue, disputed, blood; two: other, tissue, blood (default 50,110,150)")
+                   help="three: other, tissue, disputed, blood; two: other, tissue, blood (default: from the histogram)")
     p.add_argument("--mask", metavar="FILE", help="region of interest: where it is not 1, the material is 0")
     p.add_argument("--grey", metavar="FILE", help="scan of the same size (or INPUT itself): the surface cuts where its values say")
     p.add_argument("--solid", type=ids, metavar="IDS", help="solid materials (default 1, and all that are not fluid)")

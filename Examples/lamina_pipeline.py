@@ -131,6 +131,8 @@ class Pipeline:
             counts["cells"] = output.GetNumberOfCells()
         report = report_of(output, title)
         self.end(**counts, **({"report": report} if report else {}))
+        if report and report.get("summary"):
+            print(f"  {report['summary']}", flush=True)
         return output
 
     # The work ----------------------------------------------------------------------------------------------------------
@@ -178,7 +180,7 @@ class Pipeline:
         stage = simple.MultimaterialSegmentation(Input=producer(image))
         if mask is not None:
             stage.Mask = producer(mask)
-        stage.Thresholds = options.thresholds or [50, 110, 150]
+        stage.Thresholds = options.thresholds or []  # none: from the histogram
         stage.OpenAtImageBorder = int("image" in options.open_border)
         stage.OpenAtMaskBorder = int("mask" in options.open_border)
         return self.run_stage("Multimaterial Segmentation", stage)

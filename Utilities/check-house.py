@@ -160,7 +160,8 @@ def check_proxies(root):
             if re.sub(r"\W", "", label) != prop.get("name"):
                 yield f"{path}: the label \"{label}\" is not the name {prop.get('name')} with spaces"
         hidden = ("advanced", "never")
-        visible = [p for p in properties if p.tag != "InputProperty" and p.get("panel_visibility") not in hidden]
+        visible = [p for p in properties if p.tag != "InputProperty" and p.get("panel_visibility") not in hidden
+                   and p.get("information_only") != "1"]  # what is told is nothing to set
         if len(visible) > 7:
             yield f"{path}: {len(visible)} visible properties, at most 7"
 

@@ -5,19 +5,13 @@ import json
 import os
 import sys
 
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Testing", "Python"))
 import tiny  # noqa: E402, F401  loads the plugin
 from paraview import simple  # noqa: E402
-from views import cut, drawn_mask, image_slice  # noqa: E402
+from views import beside, cut, draw, drawn_mask, image_slice  # noqa: E402
 
 HALF = [360, 320]
-OBLIQUE, SIDE = (0.35, -1, 0.25), (0, -1, 0)
 
 
 def port(source, index):
@@ -91,56 +85,6 @@ def scenes(s):
     yield "rule-based-fibers", (cut(s["tets"]), material, False, 1), (cut(s["fibers"]), ("CELLS", "WallDepth"), False, 1)
 
 
-def draw(source, colour, edges, zoom, path):
-    view = simple.CreateView("RenderView")
-    view.ViewSize = HALF
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1, 1, 1]
-    shown = simple.Show(source, view)
-    shown.Representation = "Surface With Edges" if edges else "Surface"
-    shown.EdgeColor = [0.15, 0.15, 0.2]
-    shown.NonlinearSubdivisionLevel = 3
-    if colour:
-        simple.ColorBy(shown, colour)
-        if colour[1] == "Intensity":
-            simple.GetColorTransferFunction(colour[1]).ApplyPreset("Grayscale", True)
-        if colour[1] != "MaterialIds":
-            shown.RescaleTransferFunctionToDataRange(False, True)
-        shown.SetScalarBarVisibility(view, False)
-    else:
-        shown.ColorArrayName = ["POINTS", ""]
-        shown.AmbientColor = shown.DiffuseColor = [0.88, 0.66, 0.55]
-    view.CameraParallelProjection = 1
-    view.CameraPosition = SIDE if source.SMProxy.GetXMLName() == "Cut" else OBLIQUE  # ParaView's slice is called Cut
-    view.CameraFocalPoint = [0, 0, 0]
-    view.CameraViewUp = [0, 0, 1]
-    simple.ResetCamera(view)
-    view.CameraParallelScale = view.CameraParallelScale / (1.5 * zoom)
-    simple.Render(view)
-    simple.SaveScreenshot(path, view, ImageResolution=HALF)
-    simple.Delete(view)
-
-
-def beside(parts, path):
-    pixels = []
-    for part in parts:
-        reader = vtkPNGReader()
-        reader.SetFileName(part)
-        reader.Update()
-        image = reader.GetOutput()
-        pixels.append(vtk_to_numpy(image.GetPointData().GetScalars()).reshape(HALF[1], HALF[0], -1))
-        os.remove(part)
-    both = np.concatenate(pixels, axis=1)
-    image = vtkImageData()
-    image.SetDimensions(both.shape[1], both.shape[0], 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(both.reshape(-1, both.shape[2]), deep=True))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    writer.SetFileName(path)
-    writer.Write()
-
-
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(HERE, "..", "docs", "pictures")
     wanted = sys.argv[2:]
@@ -150,8 +94,8 @@ def main():
             continue
         parts = [os.path.join(folder, f"{name}-{k}.part.png") for k in range(2)]
         for (source, colour, edges, zoom), part in zip(pair, parts):
-            draw(source, colour, edges, zoom, part)
-        beside(parts, os.path.join(folder, f"{name}.png"))
+            draw(source, colour, edges, zoom, part, HALF)
+        beside([parts], os.path.join(folder, f"{name}.png"))
         print(name, flush=True)
 
 

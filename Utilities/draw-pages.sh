@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Draw all pictures of docs/filters anew: Utilities/draw-pages.sh [FOLDER] [NAME ...]. Look at them before they are kept.
+# Draw all pictures of docs/filters anew, those of stages and those of their properties: Utilities/draw-pages.sh [FOLDER] [PAGE ...].
+# Look at them before they are kept.
 set -eu
 LAMINA_COMMAND=draw-pages.sh
 here=$(dirname -- "$(readlink -f -- "$0")")
@@ -9,4 +10,6 @@ lamina_find
 PYTHONPATH=$(dirname -- "$LAMINA_PLUGIN")${PYTHONPATH:+:$PYTHONPATH}
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONPATH PYTHONDONTWRITEBYTECODE
-exec xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1280x1024x24 -noreset" pvpython --no-mpi "$here/draw-pages.py" "$@"
+for script in draw-pages.py draw-effects.py; do
+  xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1280x1024x24 -noreset" pvpython --no-mpi "$here/$script" "$@"
+done

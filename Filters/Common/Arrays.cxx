@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 
+#include "MeshArrayNames.h"
+
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkStringArray.h>
+
+#include <set>
 
 namespace lamina
 {
@@ -46,6 +52,36 @@ vtkSmartPointer<vtkStringArray> MakeStrings(const char* name, const std::vector<
     array->InsertNextValue(value);
   }
   return array;
+}
+
+std::vector<int> DistinctValues(const std::vector<int>& values)
+{
+  std::set<int> found;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (i == 0 || values[i] != values[i - 1])
+    {
+      found.insert(values[i]);
+    }
+  }
+  return { found.begin(), found.end() };
+}
+
+void AttachMaterialList(vtkDataObject* data, std::vector<int> ids,
+                        const std::map<int, std::string>& materialNames)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::string lines;
+  for (const int id : ids)
+  {
+    const auto name = materialNames.find(id);
+    if (id > 0)
+    {
+      lines += std::to_string(id) + (name == materialNames.end() ? "" : " " + name->second) + "\n";
+    }
+  }
+  data->GetFieldData()->AddArray(MakeStrings(names::MaterialList, { lines }));
 }
 
 } // namespace lamina

@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkStringArray;
 
 namespace lamina
@@ -98,6 +100,14 @@ Result<std::vector<T>> ReadValues(vtkDataSetAttributes* attributes, const char* 
   }
   return values;
 }
+
+/// The values that occur, ascending: where they are few, and neighbours alike as a rule.
+std::vector<int> DistinctValues(const std::vector<int>& values);
+
+/// Tell which materials `data` has, background apart, by their ids and names, where they have any, in one
+/// text: the panels of later stages list them. `ids` in any order, any number of times.
+void AttachMaterialList(vtkDataObject* data, std::vector<int> ids,
+                        const std::map<int, std::string>& materialNames = {});
 
 /// An array of text.
 vtkSmartPointer<vtkStringArray> MakeStrings(const char* name, const std::vector<std::string>& values);

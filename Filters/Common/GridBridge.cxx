@@ -124,6 +124,7 @@ void WriteGrid(const VolumeMesh& mesh, vtkUnstructuredGrid* output)
   SetOrRemove<vtkIntArray>(output->GetPointData(), names::LayerIndex, mesh.layerIndex);
   SetOrRemove<vtkIdTypeArray>(output->GetPointData(), names::InterfaceNodeIds, mesh.interfaceNodeIds);
   output->GetCellData()->SetActiveScalars(names::MaterialIds);
+  AttachMaterialList(output, DistinctValues(mesh.materials));
 }
 
 void WriteNodeIds(vtkUnstructuredGrid* output)

@@ -305,6 +305,7 @@ void WriteLabels(const LabelImage& labels, vtkImageData* image)
   // SetScalars would throw out the array that is active so far.
   image->GetPointData()->AddArray(MakeArray<vtkIntArray>(names::MaterialIds, labels.labels));
   image->GetPointData()->SetActiveScalars(names::MaterialIds);
+  AttachMaterialList(image, DistinctValues(labels.labels));
 }
 
 } // namespace lamina

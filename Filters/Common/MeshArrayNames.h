@@ -56,6 +56,7 @@ constexpr const char* NamedMaterials = "NamedMaterials";
 constexpr const char* LengthUnit = "LengthUnit";
 constexpr const char* LengthScale = "LengthScale";
 constexpr const char* MaterialNames = "MaterialNames";
+constexpr const char* MaterialList = "MaterialList"; // one text: a line a material, its id and its name
 constexpr const char* MaterialVolumes = "MaterialVolumes";
 constexpr const char* ImageVolumes = "ImageVolumes";
 constexpr const char* MaterialComponents = "MaterialComponents";

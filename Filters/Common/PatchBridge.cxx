@@ -183,6 +183,9 @@ void WritePatches(const MeshPatches& patches, vtkUnstructuredGrid* grid)
   {
     field->AddArray(MakeStrings(names::MaterialNames, materialNames));
     field->AddArray(MakeArray<vtkIntArray>(names::NamedMaterials, named));
+    const auto ids =
+      ReadValues<int>(grid->GetCellData(), names::MaterialIds, grid->GetNumberOfCells(), 1, "cells");
+    AttachMaterialList(grid, ids ? DistinctValues(*ids) : named, patches.materialNames);
   }
 }
 

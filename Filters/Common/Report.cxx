@@ -3,7 +3,9 @@
 
 #include "MeshArrayNames.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
@@ -114,12 +116,38 @@ Report& Report::Add(const char* name, const std::vector<Report>& rows)
   return this->Put(name, List(rows, [](const Report& row) { return row.Json(); }));
 }
 
+Report& Report::Tell(const std::string& line)
+{
+  this->Told = line;
+  return this->Add("summary", line);
+}
+
 void AttachReport(vtkDataObject* output, const char* stage, const Report& report)
 {
   vtkNew<vtkStringArray> text;
   text->SetName((std::string(names::ReportPrefix) + stage).c_str());
   text->InsertNextValue(report.Json());
+  if (!report.Line().empty())
+  {
+    text->InsertNextValue(report.Line());
+  }
   output->GetFieldData()->AddArray(text);
+}
+
+const char* SummaryOf(vtkAlgorithm* self, const char* stage)
+{
+  const std::string name = std::string(names::ReportPrefix) + stage;
+  for (int port = 0; port < self->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* output = self->GetExecutive()->GetOutputData(port);
+    vtkFieldData* fields = output ? output->GetFieldData() : nullptr;
+    auto* text = fields ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(name.c_str())) : nullptr;
+    if (text && text->GetNumberOfValues() > 1)
+    {
+      return text->GetValue(1).c_str();
+    }
+  }
+  return "";
 }
 
 } // namespace lamina

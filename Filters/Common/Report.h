@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 
 namespace lamina
@@ -28,15 +29,23 @@ public:
   /// Places as [[x, y, z], ...]; at most the first hundred.
   Report& Add(const char* name, const std::vector<Vec3>& places);
   Report& Add(const char* name, const std::vector<Report>& rows);
+  /// The report in a line that a user understands, its "summary".
+  Report& Tell(const std::string& line);
+  const std::string& Line() const { return this->Told; }
   std::string Json() const { return "{" + this->Text + "}"; }
 
 private:
   Report& Put(const char* name, const std::string& json);
 
   std::string Text;
+  std::string Told;
 };
 
-/// Attach a stage's report to the field data of `output`: a string named "LaminaReport_" and the stage.
+/// Attach a stage's report to the field data of `output`: strings named "LaminaReport_" and the stage, the
+/// JSON and the line.
 void AttachReport(vtkDataObject* output, const char* stage, const Report& report);
+/// The line of the report that the stage attached to one of its outputs; empty before it ran. It lives as
+/// long as that output.
+const char* SummaryOf(vtkAlgorithm* self, const char* stage);
 
 } // namespace lamina

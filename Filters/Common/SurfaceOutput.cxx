@@ -104,6 +104,7 @@ void WriteSurface(const TriangleComplex& surface, vtkPolyData* output)
   WriteCurvatures(surface, points);
   WriteThickness(surface, output);
   WritePatchNames(surface, output);
+  AttachMaterialList(output, DistinctValues(labels));
   cells->SetActiveScalars(names::BoundaryLabels);
   points->SetActiveScalars(surface.featureSize.empty() ? nullptr : names::FeatureSize);
 }

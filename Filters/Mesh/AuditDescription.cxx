@@ -2,6 +2,10 @@
 #include "AuditFigures.h"
 #include "AuditTable.h"
 
+#include "Base/Text.h"
+
+#include <algorithm>
+
 namespace lamina
 {
 
@@ -125,12 +129,40 @@ Report Describe(const AuditT& audit)
 
 } // namespace
 
+namespace
+{
+
+/// "sound: 1.2 M cells, worst 0.14", or how much is wrong and the first of it.
+template<typename AuditT>
+std::string Verdict(const AuditT& audit, const std::string& counts)
+{
+  return audit.Passed() ? "sound: " + counts
+                        : "NOT sound, " + Amount(static_cast<Id>(audit.findings.size()), "finding") + ": " +
+                            audit.findings.front() + "; " + counts;
+}
+
+std::string CellsAndWorst(const AuditReport& report)
+{
+  std::string text = Amount(report.cells, "cell") + ", " + Amount(report.points, "point");
+  if (!report.worst.empty())
+  {
+    const auto least =
+      std::min_element(report.worst.begin(), report.worst.end(),
+                       [](const WorstCell& a, const WorstCell& b) { return a.quality < b.quality; });
+    text += ", worst " + Short(least->quality);
+  }
+  return text;
+}
+
+} // namespace
+
 Report DescribeAudit(const GridAudit& audit)
 {
   Report report = Describe(audit.report);
   AddFigures(report, FurtherFigures(audit));
   report.Add("layersAchieved", DescribeCounts(audit.report.stackHeights, "prisms"));
   report.Add("worstCells", DescribeWorst(audit.report)).Add("patches", DescribePatches(audit.found));
+  report.Tell(Verdict(audit.report, CellsAndWorst(audit.report)));
   if (audit.hasImage)
   {
     report.Add("image", std::vector<Report>{ DescribeImage(audit.image) });
@@ -140,7 +172,7 @@ Report DescribeAudit(const GridAudit& audit)
 
 Report DescribeAudit(const SurfaceAuditReport& report)
 {
-  return Describe(report);
+  return Describe(report).Tell(Verdict(report, Amount(report.triangles, "triangle")));
 }
 
 } // namespace lamina

@@ -233,6 +233,11 @@ int vtkMeshAudit::AuditSurface(vtkPolyData* input, vtkDataSet* output, vtkTable*
   return lamina::RunStage(this, work);
 }
 
+const char* vtkMeshAudit::GetSummary()
+{
+  return lamina::SummaryOf(this, "MeshAudit");
+}
+
 void vtkMeshAudit::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -91,6 +91,11 @@ public:
    */
   const char* GetReportAsJSON() { return this->ReportText.c_str(); }
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkMeshAudit();
   ~vtkMeshAudit() override = default;

@@ -4,6 +4,8 @@
 #include "Arrays.h"
 #include "MeshArrayNames.h"
 
+#include "Base/Text.h"
+
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
@@ -32,7 +34,14 @@ Report Describe(const ReassignReport& report)
       .Add("decided", edit.decided)
       .Add("changed", edit.changed);
   }
+  Id changed = static_cast<Id>(report.repaired.size());
+  for (const EditReport& edit : report.edits)
+  {
+    changed += edit.changed;
+  }
   return Report()
+    .Tell(Amount(static_cast<Id>(report.edits.size()), "edit") + ", " + Amount(changed, "voxel") +
+          " changed, " + Amount(report.remaining, "fault") + " left")
     .Add("edits", edits)
     .Add("criticalEdges", report.criticalEdges)
     .Add("criticalCorners", report.criticalCorners)

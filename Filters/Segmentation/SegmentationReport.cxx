@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentationReport.h"
 
+#include "Base/Text.h"
+
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -29,6 +31,30 @@ std::vector<Report> Rows(const std::vector<BettiNumbers>& materials)
   return rows;
 }
 
+/// "thresholds 50.9, 127, 148; material 1: 60.1 k voxels in 1 piece; ...; 512 voxels disputed, 0 faults
+/// left".
+std::string LineOf(const SegmentReport& report)
+{
+  std::string line = "thresholds ";
+  for (std::size_t t = 0; t < report.thresholds.size(); ++t)
+  {
+    line += (t == 0 ? "" : ", ") + Short(report.thresholds[t]);
+  }
+  constexpr int most = 3;
+  int told = 0;
+  for (const BettiNumbers& material : report.after)
+  {
+    if (material.material > 0 && material.voxels > 0 && ++told <= most)
+    {
+      line += "; material " + std::to_string(material.material) + ": " + Amount(material.voxels, "voxel") +
+              " in " + Amount(material.b0, "piece");
+    }
+  }
+  line += told > most ? "; " + Amount(told - most, "more material") : "";
+  return line + "; " + Amount(report.disputed, "voxel") + " disputed, " +
+         Amount(report.topology.remaining, "fault") + " left";
+}
+
 } // namespace
 
 Report Describe(const SegmentReport& report)
@@ -49,6 +75,7 @@ Report Describe(const SegmentReport& report)
     .Add("materials", Rows(report.after))
     .Add("materialsBefore", Rows(report.before))
     .Add("thresholds", report.thresholds)
+    .Add("modes", report.modes)
     .Add("least", report.least)
     .Add("greatest", report.greatest)
     .Add("noise", report.noise)
@@ -59,7 +86,8 @@ Report Describe(const SegmentReport& report)
     .Add("forbiddenContacts", faults.forbiddenContacts)
     .Add("repairedVoxels", faults.changed)
     .Add("faultsLeft", faults.remaining)
-    .Add("warnings", report.warnings);
+    .Add("warnings", report.warnings)
+    .Tell(LineOf(report));
 }
 
 namespace

@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "Stage.h"
 
+#include "Base/Text.h"
 #include "Segmentation/HeartPhantom.h"
 
 #include "vtkFieldData.h"
@@ -56,7 +57,17 @@ lamina::Report Describe(const lamina::HeartPhantomReport& report)
       .Add("voxels", material.voxels)
       .Add("components", material.components);
   }
-  return lamina::Report().Add("materials", rows).Add("mendedVoxels", report.mendedVoxels);
+  std::string line;
+  for (const lamina::HeartPhantomMaterial& material : report.materials)
+  {
+    if (material.id > 0)
+    {
+      line +=
+        (line.empty() ? "" : "; ") + (material.id == 1 ? std::string("tissue: ") : std::string("blood: ")) +
+        lamina::Amount(material.voxels, "voxel") + " in " + lamina::Amount(material.components, "piece");
+    }
+  }
+  return lamina::Report().Add("materials", rows).Add("mendedVoxels", report.mendedVoxels).Tell(line);
 }
 
 } // namespace
@@ -117,6 +128,11 @@ int vtkHeartPhantomSource::RequestData(vtkInformation*, vtkInformationVector**, 
                             lamina::AttachReport(truth, "HeartPhantom", Describe(*report));
                             return lamina::Done{};
                           });
+}
+
+const char* vtkHeartPhantomSource::GetSummary()
+{
+  return lamina::SummaryOf(this, "HeartPhantom");
 }
 
 void vtkHeartPhantomSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -96,6 +96,11 @@ public:
   vtkBooleanMacro(OpenVessels, bool);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkHeartPhantomSource();
   ~vtkHeartPhantomSource() override = default;

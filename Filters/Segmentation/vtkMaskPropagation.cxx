@@ -9,6 +9,7 @@
 #include "SliceReslicing.h"
 #include "Stage.h"
 
+#include "Base/Text.h"
 #include "Segmentation/MaskPropagation.h"
 
 #include "vtkDoubleArray.h"
@@ -43,7 +44,10 @@ lamina::Report Describe(const lamina::MaskPropagationReport& report)
     .Add("residual", report.residual)
     .Add("residualUnregistered", report.unregisteredResidual)
     .Add("noise", report.noise)
-    .Add("warnings", report.warnings);
+    .Add("warnings", report.warnings)
+    .Tell(lamina::Amount(static_cast<lamina::Id>(drawn.size()), "drawn slice") + " carried to " +
+          lamina::Amount(static_cast<lamina::Id>(report.slices.size()), "other") + " by " +
+          MethodNames[report.method - 1]);
 }
 
 void FillTable(const lamina::MaskPropagationReport& report, vtkTable* table)
@@ -190,6 +194,11 @@ int vtkMaskPropagation::RequestData(vtkInformation*, vtkInformationVector** inpu
                             FillTable(*report, table);
                             return lamina::Done{};
                           });
+}
+
+const char* vtkMaskPropagation::GetSummary()
+{
+  return lamina::SummaryOf(this, "MaskPropagation");
 }
 
 void vtkMaskPropagation::PrintSelf(ostream& os, vtkIndent indent)

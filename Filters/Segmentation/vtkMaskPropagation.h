@@ -132,6 +132,11 @@ public:
   vtkGetMacro(SearchRange, double);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkMaskPropagation();
   ~vtkMaskPropagation() override = default;

@@ -202,6 +202,11 @@ int vtkMultimaterialSegmentation::RequestData(vtkInformation*, vtkInformationVec
     });
 }
 
+const char* vtkMultimaterialSegmentation::GetSummary()
+{
+  return lamina::SummaryOf(this, "MultimaterialSegmentation");
+}
+
 void vtkMultimaterialSegmentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

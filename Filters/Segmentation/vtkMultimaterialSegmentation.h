@@ -53,9 +53,9 @@ public:
 
   ///@{
   /**
-   * Grey values between the classes, ascending, inside the image's range. Default: 50, 110, 150. None takes
-   * three from the whole image's histogram: N. Otsu's lower one of two, and two around the middle between the
-   * medians of the upper classes. The report tells those that served.
+   * Grey values between the classes, ascending, inside the image's range. Default: none,
+   * which takes them from the grey values that fill places of the whole image: three where there are three or
+   * more such values, one where there are two. The report tells those that served.
    */
   void AddThreshold(double threshold);
   void ClearThresholds();
@@ -194,6 +194,11 @@ public:
   vtkGetMacro(RepairTopology, int);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkMultimaterialSegmentation();
   ~vtkMultimaterialSegmentation() override = default;
@@ -208,7 +213,7 @@ private:
   vtkMultimaterialSegmentation(const vtkMultimaterialSegmentation&) = delete;
   void operator=(const vtkMultimaterialSegmentation&) = delete;
 
-  std::vector<double> Thresholds{ 50, 110, 150 };
+  std::vector<double> Thresholds;
   int SmoothingSweeps = 2;
   int DisputedVoxels = LIKELIER_MATERIAL;
   bool DissolveSkins = true;

@@ -201,6 +201,11 @@ int vtkReassignVoxels::RequestData(vtkInformation*, vtkInformationVector** input
   return lamina::RunStage(this, work);
 }
 
+const char* vtkReassignVoxels::GetSummary()
+{
+  return lamina::SummaryOf(this, "ReassignVoxels");
+}
+
 void vtkReassignVoxels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

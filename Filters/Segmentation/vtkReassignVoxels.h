@@ -159,6 +159,11 @@ public:
   vtkBooleanMacro(OpenAtImageBorder, bool);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkReassignVoxels();
   ~vtkReassignVoxels() override;

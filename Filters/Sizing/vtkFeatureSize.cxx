@@ -2,10 +2,12 @@
 #include "vtkFeatureSize.h"
 
 #include "AlgorithmMonitor.h"
+#include "MeshArrayNames.h"
 #include "Report.h"
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Base/Text.h"
 #include "Sizing/FeatureSize.h"
 
 #include "vtkInformation.h"
@@ -32,7 +34,11 @@ lamina::Report Describe(const lamina::FeatureSizeReport& report)
     .Add("curved", report.curved)
     .Add("thinWalls", report.thinWalls)
     .Add("strongestCurvature", report.strongestCurvature)
-    .Add("materials", report.materials);
+    .Add("materials", report.materials)
+    .Tell("feature sizes from " + lamina::Short(report.leastSize) + " to " +
+          lamina::Short(report.largestSize) + ", kept within " + lamina::Short(report.minimum) + " and " +
+          lamina::Short(report.maximum) + "; " + lamina::Amount(report.thinWalls, "point") +
+          " at walls too thin for that");
 }
 
 /// Entries of five numbers; ids and layers must be whole.
@@ -124,6 +130,11 @@ int vtkFeatureSize::RequestData(vtkInformation*, vtkInformationVector** inputs, 
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkFeatureSize::GetSummary()
+{
+  return lamina::SummaryOf(this, lamina::names::FeatureSize);
 }
 
 void vtkFeatureSize::PrintSelf(ostream& os, vtkIndent indent)

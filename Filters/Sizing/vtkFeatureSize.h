@@ -126,6 +126,11 @@ public:
   void GetMaterialSizing(int index, double sizing[5]);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkFeatureSize() = default;
   ~vtkFeatureSize() override = default;

@@ -9,6 +9,7 @@
 #include "SurfaceBridge.h"
 #include "SurfaceFigures.h"
 
+#include "Base/Text.h"
 #include "Surface/RefineSurface.h"
 
 #include "vtkInformation.h"
@@ -38,7 +39,10 @@ lamina::Report Describe(const lamina::RefineSurfaceReport& report)
     .Add("largestVolumeChange", report.largestVolumeChange)
     .Add("hiddenNodes", report.hiddenNodes)
     .Add("forbiddenNodes", report.forbiddenNodes)
-    .Add("hiddenPlaces", report.hiddenPlaces);
+    .Add("hiddenPlaces", report.hiddenPlaces)
+    .Tell(lamina::Amount(report.triangles, "triangle") + ", worst " + lamina::Short(report.leastQuality) +
+          ", " + lamina::Short(100 * report.edgesInRange) + " % of the edges near their target, " +
+          lamina::Amount(report.hiddenNodes, "node") + " that layers cannot start from");
 }
 
 /// The targets that the properties ask for, in place of those of the input.
@@ -120,6 +124,11 @@ int vtkFeatureSizeRefinement::RequestData(vtkInformation*, vtkInformationVector*
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkFeatureSizeRefinement::GetSummary()
+{
+  return lamina::SummaryOf(this, "SurfaceRefinement");
 }
 
 void vtkFeatureSizeRefinement::PrintSelf(ostream& os, vtkIndent indent)

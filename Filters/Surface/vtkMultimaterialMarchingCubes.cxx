@@ -10,6 +10,7 @@
 #include "SurfaceBridge.h"
 #include "SurfaceFigures.h"
 
+#include "Base/Text.h"
 #include "Surface/ExtractInterfaces.h"
 
 #include "vtkImageData.h"
@@ -39,7 +40,11 @@ lamina::Report Describe(const lamina::ExtractInterfacesReport& report)
     .Add("imageVolumes", report.imageVolumes)
     .Add("movedPoints", report.movedPoints)
     .Add("heldPoints", report.heldPoints)
-    .Add("clusteredPoints", report.clusteredPoints);
+    .Add("clusteredPoints", report.clusteredPoints)
+    .Tell(lamina::Amount(report.triangles, "triangle") + " around " +
+          lamina::Amount(static_cast<lamina::Id>(report.materials.size()), "material") + ", " +
+          lamina::Amount(report.openings, "opening") + ", " + lamina::Amount(report.repairedVoxels, "voxel") +
+          " relabelled");
 }
 
 std::vector<int> MaterialsIn(const lamina::LabelImage& image)
@@ -185,6 +190,11 @@ int vtkMultimaterialMarchingCubes::RequestData(vtkInformation*, vtkInformationVe
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkMultimaterialMarchingCubes::GetSummary()
+{
+  return lamina::SummaryOf(this, "MultimaterialMarchingCubes");
 }
 
 void vtkMultimaterialMarchingCubes::PrintSelf(ostream& os, vtkIndent indent)

@@ -89,6 +89,11 @@ public:
   vtkBooleanMacro(ClusterPoints, bool);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkMultimaterialMarchingCubes();
   ~vtkMultimaterialMarchingCubes() override = default;

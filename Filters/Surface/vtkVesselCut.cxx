@@ -7,6 +7,7 @@
 #include "SurfaceBridge.h"
 #include "SurfaceFigures.h"
 
+#include "Base/Text.h"
 #include "Surface/CutVessel.h"
 
 #include "vtkFieldData.h"
@@ -31,7 +32,9 @@ lamina::Report Describe(const lamina::CutVesselReport& report)
     .Add("cutShare", report.cutShare)
     .Add("cutTriangles", report.cutTriangles)
     .Add("endTriangles", report.endTriangles)
-    .Add("patches", report.patches);
+    .Add("patches", report.patches)
+    .Tell(lamina::Amount(report.sections, "section") + " of area " + lamina::Short(report.area) + ", " +
+          lamina::Short(100 * report.cutShare) + " % of the volume cut off");
 }
 
 } // namespace
@@ -94,6 +97,11 @@ int vtkVesselCut::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkVesselCut::GetSummary()
+{
+  return lamina::SummaryOf(this, "VesselCut");
 }
 
 void vtkVesselCut::PrintSelf(ostream& os, vtkIndent indent)

@@ -74,6 +74,11 @@ public:
   int GetOpenMaterial(int index) const;
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkVesselCut() = default;
   ~vtkVesselCut() override = default;

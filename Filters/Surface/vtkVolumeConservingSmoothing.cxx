@@ -7,6 +7,7 @@
 #include "SurfaceBridge.h"
 #include "SurfaceFigures.h"
 
+#include "Base/Text.h"
 #include "Surface/SmoothSurface.h"
 
 #include "vtkInformation.h"
@@ -41,6 +42,9 @@ lamina::Report Describe(const lamina::SmoothSurfaceReport& report)
     .Add("volumesBefore", report.volumesBefore)
     .Add("volumesHeld", report.volumesHeld)
     .Add("volumesAfter", report.volumesAfter)
+    .Tell(lamina::Amount(report.sweepsDone, "sweep") + ", volumes kept to " +
+          lamina::Short(report.largestVolumeChange) + ", " + lamina::Amount(report.movesRefused, "move") +
+          " refused")
     .Add("pieces", report.pieces)
     .Add("largestPieceError", report.largestPieceError)
     .Add("piecesMissed", static_cast<lamina::Id>(report.missedPieces.size()))
@@ -97,6 +101,11 @@ int vtkVolumeConservingSmoothing::RequestData(vtkInformation*, vtkInformationVec
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkVolumeConservingSmoothing::GetSummary()
+{
+  return lamina::SummaryOf(this, "VolumeConservingSmoothing");
 }
 
 void vtkVolumeConservingSmoothing::PrintSelf(ostream& os, vtkIndent indent)

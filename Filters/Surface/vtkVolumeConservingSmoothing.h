@@ -106,6 +106,11 @@ public:
   vtkBooleanMacro(AcceptFaults, bool);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkVolumeConservingSmoothing() = default;
   ~vtkVolumeConservingSmoothing() override = default;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerReport.h"
 
+#include "Base/Text.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkSetGet.h"
 
@@ -8,6 +10,28 @@
 
 namespace lamina
 {
+
+namespace
+{
+
+std::string LineOf(const LayersReport& report)
+{
+  std::string line;
+  const auto add = [&](Id count, const char* one, const char* many)
+  {
+    if (count > 0)
+    {
+      line += (line.empty() ? "" : ", ") + Amount(count, one, many);
+    }
+  };
+  add(report.wedges, "prism", "prisms");
+  add(report.pyramids, "pyramid", "pyramids");
+  add(report.tets, "tetrahedron", "tetrahedra");
+  return line + ", worst " + Short(report.leastQuality) + ", " + Amount(report.stoppedColumns, "place") +
+         " without layers, " + Amount(report.thinnedColumns, "place") + " with thinner ones than asked";
+}
+
+} // namespace
 
 Report DescribeLayers(const LayersReport& report)
 {
@@ -20,7 +44,8 @@ Report DescribeLayers(const LayersReport& report)
     .Add("stoppedColumns", report.stoppedColumns)
     .Add("shortenedColumns", report.shortenedColumns)
     .Add("stoppedPlaces", report.stoppedPlaces)
-    .Add("leastQuality", report.leastQuality);
+    .Add("leastQuality", report.leastQuality)
+    .Tell(LineOf(report));
 }
 
 void WarnOfStoppedColumns(vtkAlgorithm* self, const LayersReport& report)

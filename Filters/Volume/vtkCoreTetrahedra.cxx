@@ -10,6 +10,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Base/Text.h"
 #include "Volume/CoreTets.h"
 
 #include "vtkInformation.h"
@@ -31,7 +32,9 @@ lamina::Report Describe(const lamina::CoreTetsReport& report)
     .Add("addedPoints", report.addedPoints)
     .Add("leastQuality", report.leastQuality)
     .Add("aboveGate", report.aboveGate)
-    .Add("rung", report.rung);
+    .Add("rung", report.rung)
+    .Tell(lamina::Amount(report.tets, "tetrahedron", "tetrahedra") + ", worst " +
+          lamina::Short(report.leastQuality) + ", " + lamina::Short(100 * report.aboveGate) + " % above 0.1");
 }
 
 /// The triangles of `surface` that are in `ids`, with their points.
@@ -136,6 +139,11 @@ int vtkCoreTetrahedra::RequestData(vtkInformation*, vtkInformationVector** input
     lamina::WriteSurface(refused, offending);
   }
   return result;
+}
+
+const char* vtkCoreTetrahedra::GetSummary()
+{
+  return lamina::SummaryOf(this, "CoreTetrahedra");
 }
 
 void vtkCoreTetrahedra::PrintSelf(ostream& os, vtkIndent indent)

@@ -70,6 +70,11 @@ public:
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkCoreTetrahedra();
   ~vtkCoreTetrahedra() override = default;

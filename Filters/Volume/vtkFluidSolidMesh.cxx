@@ -12,6 +12,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Base/Text.h"
 #include "Mesh/SplitInterfaces.h"
 #include "Volume/AssembleMesh.h"
 
@@ -65,7 +66,9 @@ lamina::Report Describe(const lamina::AssembleMeshReport& report, const lamina::
     .Add("cells", report.cells)
     .Add("mergedPoints", report.mergedPoints)
     .Add("doubledNodes", twins)
-    .Add("patches", rows);
+    .Add("patches", rows)
+    .Tell(lamina::Amount(report.cells, "cell") + ", " + lamina::Amount(report.points + twins, "point") +
+          ", " + lamina::Amount(static_cast<lamina::Id>(rows.size()), "patch", "patches"));
 }
 
 /// The inputs as the kernel's meshes; their field data goes to `output`.
@@ -228,6 +231,11 @@ int vtkFluidSolidMesh::RequestData(vtkInformation*, vtkInformationVector** input
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkFluidSolidMesh::GetSummary()
+{
+  return lamina::SummaryOf(this, "FluidSolidMesh");
 }
 
 void vtkFluidSolidMesh::PrintSelf(ostream& os, vtkIndent indent)

@@ -105,6 +105,11 @@ public:
   vtkBooleanMacro(NamedParts, bool);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkFluidSolidMesh();
   ~vtkFluidSolidMesh() override = default;

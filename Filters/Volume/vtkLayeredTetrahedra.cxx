@@ -138,6 +138,11 @@ int vtkLayeredTetrahedra::RequestData(vtkInformation*, vtkInformationVector** in
   return lamina::RunStage(this, work);
 }
 
+const char* vtkLayeredTetrahedra::GetSummary()
+{
+  return lamina::SummaryOf(this, "LayeredTetrahedra");
+}
+
 void vtkLayeredTetrahedra::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

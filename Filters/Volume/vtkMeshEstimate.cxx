@@ -8,6 +8,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Base/Text.h"
 #include "Mesh/Adjacency.h"
 #include "Volume/MeshEstimate.h"
 
@@ -68,7 +69,10 @@ lamina::Report Describe(const lamina::MeshEstimate& estimate, double free)
     .Add("cells", static_cast<lamina::Id>(estimate.cells))
     .Add("memoryMB", estimate.bytes / bytesPerMegabyte)
     .Add("freeMB", free / bytesPerMegabyte)
-    .Add("fits", estimate.bytes <= free);
+    .Add("fits", estimate.bytes <= free)
+    .Tell("about " + lamina::Amount(static_cast<lamina::Id>(estimate.cells), "cell") + ", " +
+          lamina::MemoryText(estimate.bytes) + " of memory at the peak, " + lamina::MemoryText(free) +
+          " free");
 }
 
 } // namespace
@@ -138,6 +142,11 @@ int vtkMeshEstimate::RequestData(vtkInformation*, vtkInformationVector** inputs,
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkMeshEstimate::GetSummary()
+{
+  return lamina::SummaryOf(this, "MeshEstimate");
 }
 
 void vtkMeshEstimate::PrintSelf(ostream& os, vtkIndent indent)

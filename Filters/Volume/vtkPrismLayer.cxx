@@ -154,6 +154,11 @@ int vtkPrismLayer::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   return lamina::RunStage(this, work);
 }
 
+const char* vtkPrismLayer::GetSummary()
+{
+  return lamina::SummaryOf(this, "PrismLayer");
+}
+
 void vtkPrismLayer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "Stage.h"
 
+#include "Base/Text.h"
 #include "Mesh/SplitPrisms.h"
 
 #include "vtkFieldData.h"
@@ -68,8 +69,15 @@ int vtkPrismsToTetrahedra::RequestData(vtkInformation*, vtkInformationVector** i
                            .Add("splitCells", report->splitCells)
                            .Add("addedPoints", report->addedPoints)
                            .Add("turnedQuads", report->turnedQuads)
-                           .Add("cells", tets.CellCount()));
+                           .Add("cells", tets.CellCount())
+                           .Tell(lamina::Amount(report->splitCells, "cell") + " split, " +
+                                 lamina::Amount(tets.CellCount(), "tetrahedron", "tetrahedra") + " in all"));
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkPrismsToTetrahedra::GetSummary()
+{
+  return lamina::SummaryOf(this, "PrismsToTetrahedra");
 }

@@ -34,6 +34,11 @@ public:
   static vtkPrismsToTetrahedra* New();
   vtkTypeMacro(vtkPrismsToTetrahedra, vtkUnstructuredGridAlgorithm);
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkPrismsToTetrahedra() = default;
   ~vtkPrismsToTetrahedra() override = default;

@@ -10,6 +10,7 @@
 #include "Stage.h"
 #include "SurfaceBridge.h"
 
+#include "Base/Text.h"
 #include "Volume/QuadraticMesh.h"
 
 #include "vtkCellArray.h"
@@ -139,10 +140,18 @@ int vtkQuadraticCells::RequestData(vtkInformation*, vtkInformationVector** input
                          lamina::Report()
                            .Add("middleNodes", report->middleNodes)
                            .Add("curvedEdges", report->curvedEdges)
-                           .Add("straightenedEdges", report->straightenedEdges));
+                           .Add("straightenedEdges", report->straightenedEdges)
+                           .Tell(lamina::Amount(report->middleNodes, "middle node") + ", " +
+                                 lamina::Amount(report->curvedEdges, "edge") + " on the surface, " +
+                                 lamina::Amount(report->straightenedEdges, "edge") + " left straight"));
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkQuadraticCells::GetSummary()
+{
+  return lamina::SummaryOf(this, "QuadraticCells");
 }
 
 void vtkQuadraticCells::PrintSelf(ostream& os, vtkIndent indent)

@@ -48,6 +48,11 @@ public:
   vtkGetMacro(LargestOffset, double);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkQuadraticCells();
   ~vtkQuadraticCells() override = default;

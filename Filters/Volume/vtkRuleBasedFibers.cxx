@@ -10,6 +10,7 @@
 #include "Report.h"
 #include "Stage.h"
 
+#include "Base/Text.h"
 #include "Volume/RuleBasedFibers.h"
 
 #include "vtkCellData.h"
@@ -80,15 +81,22 @@ int vtkRuleBasedFibers::RequestData(vtkInformation*, vtkInformationVector** inpu
     lamina::SetOrRemoveVectors(output->GetCellData(), lamina::names::Sheets, field.sheets);
     lamina::SetOrRemove<vtkDoubleArray>(output->GetCellData(), lamina::names::WallDepth, field.depth);
     output->GetCellData()->SetActiveScalars(lamina::names::WallDepth);
-    lamina::AttachReport(
-      output, "RuleBasedFibers",
-      lamina::Report()
-        .Add("cells", report->cells)
-        .Add("undecided", report->undecided)
-        .Add("axis", std::vector<double>{ report->axis.x, report->axis.y, report->axis.z }));
+    lamina::AttachReport(output, "RuleBasedFibers",
+                         lamina::Report()
+                           .Add("cells", report->cells)
+                           .Add("undecided", report->undecided)
+                           .Add("axis", std::vector<double>{ report->axis.x, report->axis.y, report->axis.z })
+                           .Tell(lamina::Amount(report->cells, "cell") + " with a fibre, " +
+                                 lamina::Amount(report->undecided, "cell") +
+                                 " by the rule of their neighbours"));
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkRuleBasedFibers::GetSummary()
+{
+  return lamina::SummaryOf(this, "RuleBasedFibers");
 }
 
 void vtkRuleBasedFibers::PrintSelf(ostream& os, vtkIndent indent)

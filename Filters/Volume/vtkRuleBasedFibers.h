@@ -100,6 +100,11 @@ public:
   vtkGetVector3Macro(Axis, double);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkRuleBasedFibers() = default;
   ~vtkRuleBasedFibers() override = default;

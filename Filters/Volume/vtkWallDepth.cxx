@@ -10,6 +10,7 @@
 #include "Report.h"
 #include "Stage.h"
 
+#include "Base/Text.h"
 #include "Volume/WallDepth.h"
 
 #include "vtkCellData.h"
@@ -80,10 +81,17 @@ int vtkWallDepth::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
                            .Add("cells", report->cells)
                            .Add("oneSided", report->oneSided)
                            .Add("contestedNodes", report->contestedNodes)
-                           .Add("iterations", report->iterations));
+                           .Add("iterations", report->iterations)
+                           .Tell(lamina::Amount(report->cells, "cell") + " with a depth, " +
+                                 lamina::Amount(report->oneSided, "cell") + " without a second wall"));
     return lamina::Done{};
   };
   return lamina::RunStage(this, work);
+}
+
+const char* vtkWallDepth::GetSummary()
+{
+  return lamina::SummaryOf(this, lamina::names::WallDepth);
 }
 
 void vtkWallDepth::PrintSelf(ostream& os, vtkIndent indent)

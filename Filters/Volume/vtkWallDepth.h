@@ -65,6 +65,11 @@ public:
   vtkGetCharFromStdStringMacro(OuterWalls);
   ///@}
 
+  /**
+   * What came out, in a line, for people: its words may change. Empty before the first run.
+   */
+  const char* GetSummary();
+
 protected:
   vtkWallDepth() = default;
   ~vtkWallDepth() override = default;

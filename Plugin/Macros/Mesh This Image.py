@@ -39,7 +39,7 @@ def labels_of(image):
     name, (least, most), whole = scalars_of(image)
     if name == "MaterialIds" or (whole and least >= 0 and most <= MOST_LABELS):
         return image
-    labels = run(simple.MultimaterialSegmentation(registrationName="Materials", Input=image, Thresholds=[]))
+    labels = run(simple.MultimaterialSegmentation(registrationName="Materials", Input=image))
     table = servermanager.Fetch(simple.OutputPort(labels, 1))
     report = json.loads(table.GetFieldData().GetAbstractArray("LaminaReport_MultimaterialSegmentation").GetValue(0))
     say("Thresholds from the histogram: " + ", ".join(f"{t:.4g}" for t in report["thresholds"]))

@@ -5,16 +5,14 @@ makes the same mesh again in pvpython. Needs an X server (xvfb-run).
     TestWindow.py SOURCES PLUGINS_FOLDER OUTPUT_FOLDER    window.png and state.pvsm land in OUTPUT_FOLDER
 """
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
-import time
-import xml.etree.ElementTree as ElementTree
+
+from window import WINDOW, check, play, prepare
 
 SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
 SECONDS = 500
-WINDOW = "pqClientMainWindow"
 
 # What the mouse does: object, command, arguments, as ParaView's own recorder writes it.
 EVENTS = (
@@ -41,61 +39,14 @@ print("cells", audit.GetDataInformation().GetNumberOfCells())
 """
 
 
-def check(condition, text):
-    if not condition:
-        sys.exit("FAILED: " + text)
-
-
-def prepare(home):
-    """Settings of a new user: no welcome, and the macro imported."""
-    settings = os.path.join(home, ".config", "ParaView")
-    os.makedirs(os.path.join(settings, "Macros"))
-    with open(os.path.join(settings, "ParaView5.11.0.ini"), "w", encoding="utf-8") as file:
-        file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
-    shutil.copy(os.path.join(SOURCES, "Plugin", "Macros", "Mesh This Image.py"), os.path.join(settings, "Macros"))
-    root = ElementTree.Element("pqevents")
-    for target, command, arguments in EVENTS:
-        ElementTree.SubElement(root, "pqevent", {"object": target, "command": command, "arguments": arguments})
-    script = os.path.join(home, "clicks.xml")
-    ElementTree.ElementTree(root).write(script)
-    return script
-
-
-def screenshot(path):
-    subprocess.run(["import", "-window", "root", "-trim", path], check=True, timeout=60)
-    check(os.path.getsize(path) > 10000, f"{path} is empty")
-
-
-def drive(home, script, log):
-    """Play the clicks; the picture is taken when the state has been saved. Returns what ParaView said."""
-    environment = {**os.environ, "HOME": home, "PV_PLUGIN_PATH": f"{PLUGINS}/Lamina;{PLUGINS}/LaminaWindow",
-                   "XDG_RUNTIME_DIR": home}
-    state = os.path.join(OUTPUT, "state.pvsm")
-    with open(log, "w", encoding="utf-8") as file:
-        window = subprocess.Popen(["paraview", f"--test-script={script}"], stdout=file, stderr=file, env=environment)
-        end = time.monotonic() + SECONDS
-        try:
-            while time.monotonic() < end and window.poll() is None and not os.path.isfile(state):
-                time.sleep(1)
-                with open(log, encoding="utf-8", errors="replace") as said:
-                    if "critical:" in said.read():
-                        break
-            time.sleep(5)
-            screenshot(os.path.join(OUTPUT, "window.png"))
-        finally:
-            window.terminate()
-            window.wait(30)
-    with open(log, encoding="utf-8", errors="replace") as file:
-        return file.read()
-
-
 def main():
     os.makedirs(OUTPUT, exist_ok=True)
     state = os.path.join(OUTPUT, "state.pvsm")
     if os.path.exists(state):
         os.remove(state)
     with tempfile.TemporaryDirectory() as home:
-        said = drive(home, prepare(home), os.path.join(OUTPUT, "window.log"))
+        said = play(home, PLUGINS, prepare(home, SOURCES, EVENTS), os.path.join(OUTPUT, "window.log"), lambda: os.path.isfile(state),
+                    os.path.join(OUTPUT, "window.png"), SECONDS)
         check("critical:" not in said, said[:3000])
         check(os.path.isfile(state), f"no state was saved within {SECONDS} s; see {OUTPUT}/window.png\n{said[:2000]}")
         told = next((line for line in said.splitlines() if "cells," in line), "")

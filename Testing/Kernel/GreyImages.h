@@ -5,6 +5,7 @@
 #include "Segmentation/Segment.h"
 
 #include <algorithm>
+#include <random>
 #include <string>
 
 namespace lamina::greys
@@ -45,6 +46,31 @@ inline GreyImage Heart()
   GreyImage image = Cube(20, Other);
   Fill(image, { 3, 3, 3 }, { 16, 16, 16 }, Muscle);
   Fill(image, { 7, 7, 7 }, { 12, 12, 12 }, Lumen);
+  return image;
+}
+
+/// Add normal noise, the same for each seed.
+inline void AddNoise(GreyImage& image, double deviation, unsigned seed = 3)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 1);
+  for (double& value : image.values)
+  {
+    value += deviation * noise(random);
+  }
+}
+
+/// Thirds of 20, 85 and 190 along i with normal noise, times `scale` and moved by `offset`.
+inline GreyImage Thirds(double deviation, double scale = 1, double offset = 0)
+{
+  GreyImage image = Cube(30, Other);
+  Fill(image, { 10, 0, 0 }, { 19, 29, 29 }, Muscle);
+  Fill(image, { 20, 0, 0 }, { 29, 29, 29 }, Lumen);
+  AddNoise(image, deviation);
+  for (double& value : image.values)
+  {
+    value = offset + scale * value;
+  }
   return image;
 }
 

@@ -9,7 +9,7 @@ import re
 import sys
 
 import tiny
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 FIRST = {"surface": ("CELLS", "BoundaryLabels"), "smooth": ("CELLS", "BoundaryLabels"), "sized": ("POINTS", "FeatureSize"),
@@ -35,6 +35,64 @@ def check_colours():
     check(quality[1] > quality[2] and quality[-3] < quality[-2], "poor quality is not red, or good quality not green")
     simple.Delete(view)
     print(len(FIRST), "stages show their array")
+
+
+def summary_of(stage):
+    """The line of the panel, as the window gets it: from the server."""
+    stage.SMProxy.UpdatePropertyInformation()
+    return stage.SMProxy.GetProperty("Summary").GetElement(0)
+
+
+def check_summaries():
+    """Each stage tells in a line what it made, empty before it ran; running it again is not needed for that."""
+    stages = tiny.pipeline()
+    for name, stage in stages.items():
+        check(summary_of(stage) == "", f"{name} tells before it ran: {summary_of(stage)}")
+    for name, stage in stages.items():
+        stage.UpdatePipeline()
+        line = summary_of(stage)
+        check(line and line == stage.GetClientSideObject().GetSummary(), f"{name} tells '{line}'")
+        check(len(line) < 200 and "\n" not in line, f"{name} tells too much: {line}")
+        print(f"  {name}: {line}")
+    cells = stages["audit"].GetDataInformation().GetNumberOfCells()
+    told = summary_of(stages["audit"])
+    check(re.match(rf"sound: {cells} cells, .* worst 0\.\d", told), f"{cells} cells are told as {told}")
+    # The mesh without its core is not sound, and the line says so.
+    part = simple.MeshAudit(Input=stages["prisms"], Surface=stages["refined"])
+    part.UpdatePipeline()
+    check(summary_of(part).startswith("NOT sound, "), summary_of(part))
+
+
+def check_materials():
+    """What the panel lists: the ids and, where they have any, names of the input's materials."""
+    def listed(stage, port=0):
+        info = servermanager.OutputPort(stage, port).GetDataInformation().DataInformation.GetFieldDataInformation()
+        array = info.GetArrayInformation("MaterialList")
+        return array.GetStringValue(0) if array else None
+    stages = tiny.pipeline()
+    stages["mesh"].Names = "1=wall; 2=lumen"
+    stages["audit"].UpdatePipeline()
+    for name in ("surface", "smooth", "sized", "refined"):
+        check(listed(stages[name]) == "1\n2\n", f"{name} lists {listed(stages[name])!r}")
+    for name in ("mesh", "audit"):
+        check(listed(stages[name]) == "1 wall\n2 lumen\n", f"{name} lists {listed(stages[name])!r}")
+    print("materials are listed by ids and names")
+
+
+def check_errors():
+    """What is wrong comes through in one readable line behind ParaView's own place of it."""
+    messages = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(messages)
+    wrong = simple.MultimaterialSegmentation(Input=simple.HeartPhantom(Resolution=20), Thresholds=[80.0, 60.0])
+    wrong.UpdatePipeline()
+    vtkOutputWindow.SetInstance(None)
+    # The executive adds lines of its own, which begin with its own name.
+    told = [line for line in messages.GetOutput().splitlines() if line.startswith("vtkMultimaterialSegmentation (")]
+    check(len(told) == 1, f"told {len(told)} times: {messages.GetOutput()}")
+    text = told[0].split("): ", 1)[1]
+    check(text == "the thresholds are out of order: 80 is not below 60", text)
+    check(not re.search(r"/|\.cxx|0x", text), f"places of the source in: {text}")
+    print("errors are told once, in a line:", text)
 
 
 def run_macro(macro):
@@ -70,6 +128,9 @@ def check_macro(macro):
 
 def main():
     check_colours()
+    check_summaries()
+    check_materials()
+    check_errors()
     with open(os.path.join(sys.argv[1], "Mesh This Image.py"), encoding="utf-8") as file:
         check_macro(file.read())
 

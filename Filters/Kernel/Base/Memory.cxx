@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Memory.h"
 
+#include "Text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -143,11 +145,9 @@ std::optional<Error> CheckMemory(const MemoryDemand& demand, const char* what, M
   {
     return std::nullopt;
   }
-  char count[32];
-  std::snprintf(count, sizeof count, demand.cells >= 1e5 ? "%.1f million " : "%.0f ",
-                demand.cells >= 1e5 ? 1e-6 * demand.cells : demand.cells);
+  const auto count = static_cast<Id>(std::min(demand.cells, 1e18));
   return Unreachable(
-    "this would make about " + std::string(count) + what + " and take about " + MemoryText(demand.bytes) +
+    "this would make about " + Amount(count, what, what) + " and take about " + MemoryText(demand.bytes) +
     " of memory, but only " + MemoryText(free) +
     " are free: ask for larger sizes or fewer layers, use a machine with more memory, or raise "
     "Memory Limit if you know better");

@@ -6,7 +6,6 @@
 #include "../Mesh/GreyView.h"
 
 #include <array>
-#include <vector>
 
 namespace lamina
 {
@@ -18,10 +17,5 @@ namespace lamina
 /// count. Ascending; both lie inside the range. Where fewer than three values occur one class may be empty.
 std::array<double, 2> HistogramThresholds(const GreyView& grey, double least, double greatest,
                                           Monitor& monitor);
-
-/// Thresholds for background, tissue, disputed and blood: the lower of the two above, and from 35 to 65 % of
-/// the way between the medians of the two upper classes what may be either. Only the two above where no value
-/// lies between them. Of the whole image, whatever a mask leaves: inside of one there may be no background.
-std::vector<double> HistogramClasses(const GreyView& grey, double least, double greatest, Monitor& monitor);
 
 } // namespace lamina

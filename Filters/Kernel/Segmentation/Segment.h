@@ -57,7 +57,7 @@ struct SegmentOptions
 {
   /// Grey values, ascending. Three: background, tissue, disputed, blood; two: background, tissue, blood; any
   /// other number: one material per class, numbered from 0, of which none is disputed and none needs a wall.
-  /// None: three by HistogramClasses.
+  /// None, the default of the filter: by the image, see ModeThresholds. These suit the phantom.
   std::vector<double> thresholds{ 50, 110, 150 };
   /// Sweeps of edge-preserving smoothing before the thresholds, 0 (off) to 20. An image without noise stays
   /// as it is.
@@ -116,6 +116,7 @@ struct SegmentReport
   double least = 0; ///< range of the finite grey values
   double greatest = 0;
   std::vector<double> thresholds; ///< those of the options or of the histogram
+  std::vector<double> modes;      ///< grey values that fill places, where thresholds came from them
   double noise = 0;               ///< estimated deviation; 0 where the image has none
   Id disputed = 0;                ///< voxels flagged
   int passes = 0;                 ///< of walls, islands and repair, until nothing changed

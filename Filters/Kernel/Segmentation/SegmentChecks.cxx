@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What cannot be segmented, found before any work.
-#include "HistogramThresholds.h"
 #include "SegmentRules.h"
 
 #include "../Base/Text.h"
@@ -19,12 +18,15 @@ namespace segment
 namespace
 {
 
-/// Four digits are enough for a threshold to start from.
-std::string Suggestion(double threshold)
+/// Four digits are enough for thresholds to start from.
+std::string Suggestion(const std::vector<double>& thresholds)
 {
   std::ostringstream stream;
   stream.precision(4);
-  stream << threshold;
+  for (std::size_t t = 0; t < thresholds.size(); ++t)
+  {
+    stream << (t == 0 ? "" : ", ") << thresholds[t];
+  }
   return stream.str();
 }
 
@@ -106,9 +108,11 @@ Result<bool> CheckThresholds(const std::vector<double>& thresholds)
 }
 
 /// Thresholds that nobody gave come from the histogram.
-Result<bool> CheckRange(const GreyView& grey, SegmentOptions& options, double least, double greatest,
+Result<bool> CheckRange(const GreyView& grey, SegmentOptions& options, SegmentReport& report,
                         Monitor& monitor)
 {
+  const double least = report.least;
+  const double greatest = report.greatest;
   if (!(least <= greatest))
   {
     return InvalidInput("the image holds no finite value");
@@ -119,17 +123,31 @@ Result<bool> CheckRange(const GreyView& grey, SegmentOptions& options, double le
   }
   if (options.thresholds.empty())
   {
-    options.thresholds = HistogramClasses(grey, least, greatest, monitor);
+    options.thresholds = SuggestThresholds(grey, report, monitor);
+    if (monitor.Cancelled())
+    {
+      return Cancelled();
+    }
+    if (report.modes.size() < 2)
+    {
+      report.warnings.push_back(
+        "the histogram of the image has but one peak, or none: its thresholds part it "
+        "all the same, look at the result");
+    }
     return true;
   }
   for (const double threshold : options.thresholds)
   {
     if (threshold <= least || threshold > greatest)
     {
-      const auto [low, high] = HistogramThresholds(grey, least, greatest, monitor);
+      const std::vector<double> better = SuggestThresholds(grey, report, monitor);
+      if (monitor.Cancelled())
+      {
+        return Cancelled();
+      }
       return InvalidOption(Text("threshold ", threshold, " is outside the image's range ", least, " to ",
                                 greatest, ": one class would be empty; its histogram suggests ",
-                                Suggestion(low), " and ", Suggestion(high)));
+                                Suggestion(better)));
     }
   }
   return true;
@@ -207,7 +225,7 @@ Result<bool> Check(const GreyView& grey, SegmentOptions& options, SegmentReport&
     FindRange(grey, report, monitor);
     good = monitor.Cancelled() ? Result<bool>(Cancelled()) : CheckMask(grey, options.mask);
   }
-  return good ? CheckRange(grey, options, report.least, report.greatest, monitor) : good;
+  return good ? CheckRange(grey, options, report, monitor) : good;
 }
 
 } // namespace segment

@@ -81,6 +81,9 @@ void ForEachNeighbour26(const std::array<Id, 3>& size, Id voxel, const Visit& vi
 Result<bool> Check(const GreyView& grey, SegmentOptions& options, SegmentReport& report, Monitor& monitor);
 /// The deviation of the noise, from second differences inside the classes: the least of those that have any.
 double EstimateNoise(const GreyView& grey, const SegmentOptions& options, const SegmentReport& report);
+/// Thresholds by the modes of the smoothed image, which go into the report; N. Otsu's two where fewer than
+/// two modes are found. None if cancelled.
+std::vector<double> SuggestThresholds(const GreyView& grey, SegmentReport& report, Monitor& monitor);
 /// The image without its noise, in memory of its own; the same view where there is no noise or no smoothing.
 GreyView Smoothed(const GreyView& grey, const SegmentOptions& options, SegmentReport& report,
                   Monitor& monitor);
