@@ -3,7 +3,9 @@
 #pragma once
 
 #include "Geometry/Quality.h"
+#include "Mesh/TetFaces.h"
 #include "Volume/CoreTets.h"
+#include "Volume/FrontCells.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +58,43 @@ inline void ExpectFills(const TriangleComplex& surface, const VolumeMesh& mesh, 
   EXPECT_TRUE(std::equal(surface.points.begin(), surface.points.end(), mesh.points.begin()));
   EXPECT_EQ(mesh.interfaceNodeIds.size(), mesh.points.size());
   EXPECT_EQ(mesh.layerIndex.size(), mesh.points.size());
+}
+
+/// No face of a core, towards another of its cells or a prism behind the front, is beyond the limits of
+/// finite volumes: 85 degrees of non-orthogonality, a skewness of 4.
+inline void ExpectFacesWithinLimits(const TriangleComplex& front, const VolumeMesh& core)
+{
+  std::vector<std::array<Id, 4>> tets;
+  std::vector<Vec3> centres;
+  for (Id c = 0; c < core.CellCount(); ++c)
+  {
+    const Id* p = core.Cell(c);
+    tets.push_back({ { p[0], p[1], p[2], p[3] } });
+    centres.emplace_back();
+    for (int k = 0; k < 4; ++k)
+    {
+      centres.back() += 0.25 * core.points[static_cast<std::size_t>(p[k])];
+    }
+  }
+  ThreadMonitor monitor;
+  const FrontCells behind(front);
+  const auto neighbours = FindTetNeighbours(tets, static_cast<Id>(core.points.size()), monitor);
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Triangle ids = TetFace(tets[t], k);
+      const auto at = [&](std::size_t i) { return core.points[static_cast<std::size_t>(ids[i])]; };
+      const auto other = static_cast<std::size_t>(neighbours[t][k]);
+      const bool isInside = neighbours[t][k] >= 0 && core.materials[other] == core.materials[t];
+      const Vec3* far = isInside ? &centres[other] : behind.CentreBehind(ids);
+      if (far != nullptr)
+      {
+        EXPECT_LT(FaceNonOrthogonality({ { at(0), at(1), at(2) } }, centres[t], *far), 85);
+        EXPECT_LT(FaceSkewness({ { at(0), at(1), at(2) } }, centres[t], *far), 4);
+      }
+    }
+  }
 }
 
 } // namespace cores

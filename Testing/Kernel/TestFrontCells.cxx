@@ -133,6 +133,7 @@ TEST(CoreTets, VolumesFollowThePrisms)
       const auto filled = MeshCoreTets(front, {}, {}, core, monitor);
       EXPECT_TRUE(filled) << filled.GetError().message;
       EXPECT_GT(filled->leastQuality, 0.15);
+      EXPECT_LT(static_cast<double>(filled->tets), 4.5 * static_cast<double>(front.triangles.size()));
       return VolumeRatios(layers, core);
     };
     const std::vector<double> ratios = ratiosOf(layers.front);

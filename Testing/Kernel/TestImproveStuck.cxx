@@ -44,11 +44,11 @@ TEST(TetPatches, WhatIsTakenAndPutBackIsTheSame)
   double least = 0;
   const auto volumes = Volumes(set, least);
   const auto walls = Walls(set);
-  TetPatches patches(set, 2);
+  TetPatches patches(set);
   TetSet patch;
   std::array<Id, 4> own;
   const std::array<Id, 4> before = set.tets[500];
-  ASSERT_TRUE(patches.Take(500, patch, own));
+  ASSERT_TRUE(patches.Take(500, 2, patch, own));
   EXPECT_GT(patch.tets.size(), 100u);
   EXPECT_LT(patch.tets.size(), set.tets.size() / 2);
   for (std::size_t k = 0; k < 4; ++k)
@@ -61,7 +61,7 @@ TEST(TetPatches, WhatIsTakenAndPutBackIsTheSame)
   ASSERT_TRUE(SplitPart(patch, { own.begin(), own.end() }));
   patches.PutBack(patch);
   TetSet other;
-  EXPECT_FALSE(patches.Take(500, other, own)) << "it has been replaced";
+  EXPECT_FALSE(patches.Take(500, 2, other, own)) << "it has been replaced";
   DropReplaced(set);
   EXPECT_EQ(set.tets.size(), 5u * 216 + 3);
   const auto now = Volumes(set, least);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prism layers and core on shapes where layers are known to fail.
+#include "CoreChecks.h"
 #include "Geometry/VisibleDirection.h"
 #include "Images.h"
 #include "PrismChecks.h"
@@ -109,6 +110,7 @@ void ExpectGood(const TriangleComplex& surface, int material, const std::string&
   const auto filled = MeshCoreTets(front, {}, filling, core, monitor);
   ASSERT_TRUE(filled) << what << ": " << filled.GetError().message;
   EXPECT_GT(filled->leastQuality, 0.1) << what;
+  cores::ExpectFacesWithinLimits(front, core);
   for (Id c = 0; c < core.CellCount(); ++c)
   {
     sum += CellVolume(core, c);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prisms and core in images that nobody drew: smoothed noise, every material taken for a fluid.
+#include "CoreChecks.h"
 #include "Images.h"
 #include "Mesh/Audit.h"
 #include "Mesh/VolumeCorrection.h"
@@ -132,6 +133,7 @@ void ExpectGoodFluids(unsigned seed, unsigned largest)
   ASSERT_TRUE(filled) << filled.GetError().message;
   EXPECT_EQ(filled->rung, 1);
   EXPECT_GT(filled->leastQuality, 0.1);
+  cores::ExpectFacesWithinLimits(layers.front, core);
   std::fill(core.interfaceNodeIds.begin(), core.interfaceNodeIds.end(), -1);
   for (Id c = 0; c < layers.mesh.CellCount(); ++c)
   {

@@ -116,6 +116,48 @@ bool Work(TetSet& patch, const Tet& worst, double gate, double& least, Monitor& 
   return isBetter;
 }
 
+/// What came of the work on one tet.
+enum class Outcome
+{
+  Better,
+  Vain,
+  Known,   ///< it was in vain before, and nothing has changed
+  Replaced ///< something in its surroundings has changed in this round
+};
+
+/// Works on the surroundings of a tet; where that is in vain on smaller ones, in which the search goes
+/// another way.
+Outcome WorkRound(TetSet& set, Id tet, const ImproveStuckOptions& options, TetPatches& patches,
+                  std::map<Tet, double>& failed, Monitor& monitor)
+{
+  const Tet corners = set.tets[Index(tet)];
+  TetSet patch;
+  Tet worst = corners;
+  for (int rings : options.rings)
+  {
+    if (!patches.Take(tet, rings, patch, worst))
+    {
+      return Outcome::Replaced;
+    }
+    double least = LeastShape(patch);
+    if (rings == options.rings.front())
+    {
+      const auto known = failed.find(corners);
+      if (known != failed.end() && known->second == least)
+      {
+        return Outcome::Known;
+      }
+      failed[corners] = least;
+    }
+    if (Work(patch, worst, options.gate, least, monitor) && !monitor.Cancelled())
+    {
+      patches.PutBack(patch);
+      return Outcome::Better;
+    }
+  }
+  return Outcome::Vain;
+}
+
 } // namespace
 
 ImproveStuckReport ImproveStuck(TetSet& set, const ImproveStuckOptions& options, Monitor& monitor)
@@ -133,37 +175,20 @@ ImproveStuckReport ImproveStuck(TetSet& set, const ImproveStuckOptions& options,
     {
       break;
     }
-    TetPatches patches(set, options.rings);
-    bool isBetter = false;
+    TetPatches patches(set);
+    const Id before = report.bettered;
     for (std::size_t i = 0; i < poor.size() && !monitor.Cancelled(); ++i)
     {
-      Tet worst = set.tets[Index(poor[i])];
-      TetSet patch;
-      if (!patches.Take(poor[i], patch, worst))
-      {
-        continue; // something in it has changed in this round
-      }
-      const double before = LeastShape(patch);
-      double least = before;
-      const auto known = failed.find(set.tets[Index(poor[i])]);
-      if (known != failed.end() && known->second == before)
+      if (set.tets[Index(poor[i])][0] < 0)
       {
         continue;
       }
-      ++report.tried;
-      if (Work(patch, worst, options.gate, least, within) && !monitor.Cancelled())
-      {
-        patches.PutBack(patch);
-        ++report.bettered;
-        isBetter = true;
-      }
-      else
-      {
-        failed[set.tets[Index(poor[i])]] = before;
-      }
+      const Outcome outcome = WorkRound(set, poor[i], options, patches, failed, within);
+      report.tried += outcome == Outcome::Better || outcome == Outcome::Vain ? 1 : 0;
+      report.bettered += outcome == Outcome::Better ? 1 : 0;
     }
     DropReplaced(set);
-    if (!isBetter)
+    if (report.bettered == before)
     {
       break;
     }

@@ -10,8 +10,9 @@ namespace lamina
 struct ImproveStuckOptions
 {
   double gate = 0.13; ///< tets of a lower shape (ShapeOfTet()) are worked on
-  int rings = 3;      ///< of tets round them that may change, 1 or more
-  int rounds = 3;     ///< passes over them, 1 or more
+  /// Of tets round them that may change, 1 or more: the first number of them by which something is bettered.
+  std::vector<int> rings{ 3, 2 };
+  int rounds = 3; ///< passes over them, 1 or more
 };
 
 struct ImproveStuckReport

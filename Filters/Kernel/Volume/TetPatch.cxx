@@ -101,9 +101,8 @@ bool SplitPart(TetSet& set, const std::vector<Id>& part)
   return true;
 }
 
-TetPatches::TetPatches(TetSet& set, int rings)
+TetPatches::TetPatches(TetSet& set)
   : Set(set)
-  , Rings(rings)
   , Start(set.points.size() + 1, 0)
   , IsTaken(set.tets.size(), 0)
   , Local(set.points.size(), -1)
@@ -130,7 +129,7 @@ TetPatches::TetPatches(TetSet& set, int rings)
   }
 }
 
-bool TetPatches::Grow(Id tet)
+bool TetPatches::Grow(Id tet, int rings)
 {
   for (Id t : this->Tets)
   {
@@ -139,7 +138,7 @@ bool TetPatches::Grow(Id tet)
   this->Tets.assign(1, tet);
   this->IsTaken[Index(tet)] = 1;
   std::size_t from = 0;
-  for (int ring = 0; ring < this->Rings; ++ring)
+  for (int ring = 0; ring < rings; ++ring)
   {
     const std::size_t to = this->Tets.size();
     for (; from < to; ++from)
@@ -187,9 +186,9 @@ void TetPatches::Number()
   }
 }
 
-bool TetPatches::Take(Id tet, TetSet& patch, Tet& own)
+bool TetPatches::Take(Id tet, int rings, TetSet& patch, Tet& own)
 {
-  if (!this->Grow(tet))
+  if (!this->Grow(tet, rings))
   {
     return false;
   }

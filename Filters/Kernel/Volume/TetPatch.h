@@ -14,23 +14,22 @@ bool SplitPart(TetSet& set, const std::vector<Id>& part);
 class TetPatches
 {
 public:
-  TetPatches(TetSet& set, int rings);
+  explicit TetPatches(TetSet& set);
 
   /// The tets that some rings of neighbours reach from this one, and their points, numbered anew; those that
   /// others share are fixed. `own` gets the tet in the new numbers. False: some have been replaced since this
   /// object was made.
-  bool Take(Id tet, TetSet& patch, std::array<Id, 4>& own);
+  bool Take(Id tet, int rings, TetSet& patch, std::array<Id, 4>& own);
   /// The tets that were taken last become those of the patch; its further points come to the set's end. Tets
   /// that go keep their place with -1 as first node.
   void PutBack(const TetSet& patch);
 
 private:
   /// False if some have been replaced.
-  bool Grow(Id tet);
+  bool Grow(Id tet, int rings);
   void Number();
 
   TetSet& Set;
-  int Rings;
   std::vector<std::size_t> Start; ///< of each point's tets
   std::vector<Id> Stars;
   std::vector<char> IsTaken; ///< one a tet
