@@ -3,18 +3,15 @@
 """What the properties of the stages do: for each page a picture with a row a property and a column a value, and the table that says
 which. Run by draw-pages.sh: draw-effects.py [FOLDER] [PAGE ...]"""
 import os
-import shutil
-import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Testing", "Python"))
 import tiny  # noqa: E402, F401  loads the plugin
 from paraview import simple  # noqa: E402
-from views import beside, cut, draw, drawn_mask, image_slice  # noqa: E402
+from views import beside, cut, draw, drawn_mask, fewer_colours, image_slice  # noqa: E402
 
 SIZE = [230, 200]
-COLOURS = 64
 
 LABELS, GREY, LAYER = ("POINTS", "MaterialIds"), ("POINTS", "Intensity"), ("CELLS", "LayerIds")
 SIZES, MASK = ("POINTS", "TargetEdgeLength"), ("POINTS", "Mask")
@@ -78,12 +75,6 @@ class Effects:
             yield "prism-layer", name, values, prisms, (cut, LAYER, True, 2, None)
         core = stage(simple.CoreTetrahedra, Input=self.inner())
         yield "core-tetrahedra", "MaximumEdge", (0, 3, 1.5), core, (cut, None, True, 2, None)
-
-
-def fewer_colours(path):
-    """Small files, where ImageMagick is there."""
-    if shutil.which("convert"):
-        subprocess.run(["convert", path, "-strip", "+dither", "-colors", str(COLOURS), f"PNG8:{path}"], check=True)
 
 
 def main():

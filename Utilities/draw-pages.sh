@@ -10,6 +10,6 @@ lamina_find
 PYTHONPATH=$(dirname -- "$LAMINA_PLUGIN")${PYTHONPATH:+:$PYTHONPATH}
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONPATH PYTHONDONTWRITEBYTECODE
-for script in draw-pages.py draw-effects.py; do
+for script in draw-pages.py draw-effects.py draw-gallery.py; do
   xvfb-run -a -n $((100 + $$ % 800)) -s "-screen 0 1280x1024x24 -noreset" pvpython --no-mpi "$here/$script" "$@"
 done

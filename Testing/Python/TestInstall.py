@@ -60,7 +60,7 @@ def check_contents(tree):
     names = files_of(tree)
     for wanted in (f"{PLUGIN}/Lamina.so", f"{PLUGIN}/lamina-tetgen", f"{PLUGIN}/lamina/__init__.py", "bin/lamina-mesh",
                    "bin/lamina-audit", "bin/lamina-paraview", "share/lamina/scripts/image_to_mesh.py",
-                   "share/lamina/macros/Mesh This Image.py",
+                   "share/lamina/macros/Mesh This Image.py", "share/lamina/macros/Look At This Segmentation.py",
                    "share/lamina/lamina-run.sh", "share/doc/lamina/copyright", "share/doc/lamina/filters/prism-layer.md"):
         check(wanted in names, f"{wanted} is not installed")
     for name in names:

@@ -126,6 +126,29 @@ def check_macro(macro):
     print("the macro meshes grey images and materials, and says what is wrong with others")
 
 
+def check_look(macro):
+    """Slices in two views with one camera, the histogram with its thresholds, the disputed voxels selected."""
+    phantom = simple.HeartPhantom(Resolution=40)
+    labels = simple.MultimaterialSegmentation(Input=phantom)
+    before, links = len(simple.GetViews()), servermanager.ProxyManager().GetNumberOfLinks()
+    simple.SetActiveSource(labels)
+    said = run_macro(macro)
+    check("disputed voxels are selected" in said, said)
+    views = simple.GetViews()
+    kinds = sorted(view.SMProxy.GetXMLName() for view in views)
+    check(len(views) == before + 3 and kinds.count("XYChartView") == 1, f"views: {kinds}")
+    chart = next(view for view in views if view.SMProxy.GetXMLName() == "XYChartView")
+    told = re.search(r"thresholds ([\d.]+), ([\d.]+), ([\d.]+)", said)
+    labelled = [float(text) for text in list(chart.BottomAxisLabels)[::2]]
+    check(told and all(abs(a - float(b)) < 1 for a, b in zip(labelled, told.groups())), f"{labelled} for {said}")
+    selection = labels.SMProxy.GetSelectionInput(0)
+    check(selection is not None, "nothing is selected")
+    check(servermanager.ProxyManager().GetNumberOfLinks() == links + 1, "the cameras are not linked")
+    simple.SetActiveSource(phantom)
+    check("select a Multimaterial Segmentation" in run_macro(macro), "a phantom is taken for a segmentation")
+    print("a segmentation can be seen by eye")
+
+
 def main():
     check_colours()
     check_summaries()
@@ -133,6 +156,8 @@ def main():
     check_errors()
     with open(os.path.join(sys.argv[1], "Mesh This Image.py"), encoding="utf-8") as file:
         check_macro(file.read())
+    with open(os.path.join(sys.argv[1], "Look At This Segmentation.py"), encoding="utf-8") as file:
+        check_look(file.read())
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the pictures of tests and pages show: halves, slices, a mask drawn on some slices."""
 import os
+import shutil
+import subprocess
 
 import numpy as np
 from paraview import simple
@@ -102,3 +104,9 @@ def beside(rows, path):
     writer.SetInputData(image)
     writer.SetFileName(path)
     writer.Write()
+
+
+def fewer_colours(path, colours=64):
+    """A small file, where ImageMagick is there."""
+    if shutil.which("convert"):
+        subprocess.run(["convert", path, "-strip", "+dither", "-colors", str(colours), f"PNG8:{path}"], check=True)
