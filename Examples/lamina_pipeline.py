@@ -37,7 +37,7 @@ class Pipeline:
         self.stage = "start"
         self.stages = []
         self.stopped = False
-        self.silence = 0.0
+        self.silence, self.silent_after = 0.0, ""
         self.scratch = None
         self.running = None
         # pvpython prints through VTK's window of messages, which is caught here: print past it.
@@ -56,7 +56,7 @@ class Pipeline:
         self.stage = name
         self.tell(name)
         self.since = time.monotonic()
-        self.silence = 0.0
+        self.silence, self.silent_after = 0.0, ""
         if self.stopped:
             raise Failed(name, "stopped on request; nothing was written", STOPPED)
         print(f"{name} ...", flush=True)
@@ -64,7 +64,7 @@ class Pipeline:
     def end(self, **counts):
         seconds = time.monotonic() - self.since
         entry = {"stage": self.stage, "seconds": round(seconds, 3), "longestSilence": round(self.silence, 3),
-                 "peakMemoryMB": round(peak_memory(), 1), **counts}
+                 "silentAfter": self.silent_after, "peakMemoryMB": round(peak_memory(), 1), **counts}
         self.stages.append(entry)
         text = ", ".join(f"{key} {value:,}" if isinstance(value, int) else f"{key} {value}"
                          for key, value in counts.items() if isinstance(value, (int, float, str)))
@@ -84,17 +84,20 @@ class Pipeline:
         def on_error(_, __, text):
             errors.append(text)
 
-        heard = time.monotonic()
+        heard, last = time.monotonic(), "the start"
 
         def listen():
             """How long it took to hear of the stage again: as long may it take to stop it."""
             nonlocal heard
             now = time.monotonic()
-            self.silence = max(self.silence, now - heard)
+            if now - heard > self.silence:
+                self.silence, self.silent_after = now - heard, last
             heard = now
 
         def on_progress(*_):
+            nonlocal last
             listen()
+            last = algorithm.GetProgressText() or ""
             # Running Python here also gives Ctrl-C its turn.
             if self.stopped:
                 algorithm.SetAbortExecute(1)
