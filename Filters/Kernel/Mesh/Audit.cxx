@@ -234,6 +234,10 @@ Result<AuditReport> AuditMesh(const VolumeMesh& given, const TriangleComplex* su
   marks.boundary.clear();
   monitor.Progress(0, "Measuring the cells");
   AuditCells(mesh, options, report, marks, monitor);
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
+  }
   AuditPoints(mesh, options.twins, report);
   if (monitor.Cancelled())
   {

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr Id Grain = 8192;
+constexpr Id AskEvery = 1 << 16; ///< cells, whether to stop
 
 std::size_t Index(Id id)
 {
@@ -51,23 +52,6 @@ CellMeasure Measure(const VolumeMesh& mesh, Id cell)
   }
 }
 
-/// Least, first percentile and median of unsorted values.
-std::array<double, 3> Percentiles(std::vector<double>& values)
-{
-  if (values.empty())
-  {
-    return { { 1, 1, 1 } };
-  }
-  const auto at = [&](double share)
-  {
-    const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  };
-  return { { *std::min_element(values.begin(), values.end()), at(0.01), at(0.5) } };
-}
-
 QualityAudit Summarize(CellType type, std::vector<double>& values)
 {
   QualityAudit audit;
@@ -102,12 +86,16 @@ Vec3 MiddleOf(const VolumeMesh& mesh, Id cell)
 }
 
 /// The ten cells of the least quality of each type; equal ones in the order of their ids.
-std::vector<WorstCell> FindWorst(const VolumeMesh& mesh, const std::vector<double>& quality)
+std::vector<WorstCell> FindWorst(const VolumeMesh& mesh, const std::vector<double>& quality, Monitor& monitor)
 {
   constexpr std::size_t most = 10;
   std::map<CellType, std::vector<std::pair<double, Id>>> worst;
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
+    if (c % AskEvery == 0 && monitor.Cancelled())
+    {
+      break;
+    }
     auto& heap = worst[mesh.types[Index(c)]]; // its largest first
     const std::pair<double, Id> entry(quality[Index(c)], c);
     if (heap.size() < most || entry < heap.front())
@@ -143,31 +131,34 @@ struct Gathered
   std::vector<double> pyramids;
 };
 
-MaterialAudit Close(Gathered& g, double gate)
+MaterialAudit Close(Gathered& g, double gate, Monitor& monitor)
 {
   MaterialAudit& a = g.audit;
   a.meshVolume = static_cast<double>(g.volume);
   a.surfaceVolume = std::numeric_limits<double>::quiet_NaN();
   const auto above = std::count_if(g.tets.begin(), g.tets.end(), [&](double q) { return q > gate; });
   a.tetAboveGate = g.tets.empty() ? 1 : static_cast<double>(above) / static_cast<double>(g.tets.size());
-  const auto tets = Percentiles(g.tets);
-  const auto wedges = Percentiles(g.wedges);
-  a.tetQualityMin = tets[0];
-  a.tetQualityP1 = tets[1];
-  a.tetQualityP50 = tets[2];
-  a.wedgeQualityMin = wedges[0];
-  a.wedgeQualityP1 = wedges[1];
-  a.wedgeQualityP50 = wedges[2];
   const std::pair<CellType, std::vector<double>*> all[] = { { CellType::Tetrahedron, &g.tets },
                                                             { CellType::Wedge, &g.wedges },
                                                             { CellType::Pyramid, &g.pyramids } };
   for (const auto& [type, values] : all)
   {
-    if (!values->empty())
+    if (!values->empty() && !monitor.Cancelled())
     {
       a.qualities.push_back(Summarize(type, *values));
     }
   }
+  const auto take = [&](CellType type, double& least, double& first, double& median)
+  {
+    const auto found = std::find_if(a.qualities.begin(), a.qualities.end(),
+                                    [&](const QualityAudit& q) { return q.type == type; });
+    const bool isThere = found != a.qualities.end();
+    least = isThere ? found->least : 1;
+    first = isThere ? found->percentiles[0] : 1;
+    median = isThere ? found->percentiles[3] : 1;
+  };
+  take(CellType::Tetrahedron, a.tetQualityMin, a.tetQualityP1, a.tetQualityP50);
+  take(CellType::Wedge, a.wedgeQualityMin, a.wedgeQualityP1, a.wedgeQualityP50);
   return a;
 }
 
@@ -195,6 +186,10 @@ void AuditCells(const VolumeMesh& mesh, const AuditOptions& options, AuditReport
   Places inverted;
   for (Id c = 0; c < mesh.CellCount(); ++c)
   {
+    if (c % AskEvery == 0 && monitor.Cancelled())
+    {
+      return;
+    }
     Gathered& g = gathered[mesh.materials[Index(c)]];
     const CellType type = mesh.types[Index(c)];
     g.volume += volumes[Index(c)];
@@ -222,9 +217,9 @@ void AuditCells(const VolumeMesh& mesh, const AuditOptions& options, AuditReport
   }
   for (auto& entry : gathered)
   {
-    report.materials.push_back(Close(entry.second, options.qualityGate));
+    report.materials.push_back(Close(entry.second, options.qualityGate, monitor));
   }
-  report.worst = FindWorst(mesh, marks.quality);
+  report.worst = FindWorst(mesh, marks.quality, monitor);
   report.invertedCells = inverted.GetCount();
   inverted.Tell("cells are inverted or without volume somewhere", report.findings);
 }

@@ -11,6 +11,8 @@ namespace lamina
 namespace
 {
 
+constexpr std::size_t AskEvery = 1 << 16; ///< nodes or cells, whether to stop
+
 std::size_t Index(Id id)
 {
   return static_cast<std::size_t>(id);
@@ -63,12 +65,18 @@ public:
   {
   }
 
-  void Add(const VolumeMesh& part)
+  /// Stops half way when cancelled.
+  void Add(const VolumeMesh& part, Monitor& monitor)
   {
     ++this->Parts;
     std::vector<Id> joined(part.points.size(), -1);
-    for (Id p : part.connectivity)
+    for (std::size_t i = 0; i < part.connectivity.size(); ++i)
     {
+      if (i % AskEvery == 0 && monitor.Cancelled())
+      {
+        return;
+      }
+      const Id p = part.connectivity[i];
       if (joined[Index(p)] < 0)
       {
         joined[Index(p)] = this->AddPoint(part, Index(p));
@@ -76,6 +84,10 @@ public:
     }
     for (std::size_t c = 0; c < part.types.size(); ++c)
     {
+      if (c % AskEvery == 0 && monitor.Cancelled())
+      {
+        return;
+      }
       for (Id i = part.offsets[c]; i < part.offsets[c + 1]; ++i)
       {
         this->Mesh.connectivity.push_back(joined[Index(part.connectivity[Index(i)])]);
@@ -149,7 +161,11 @@ Result<AssembleMeshReport> AssembleMesh(const std::vector<const VolumeMesh*>& pa
     {
       return Cancelled();
     }
-    joiner.Add(*parts[i]);
+    joiner.Add(*parts[i], monitor);
+  }
+  if (monitor.Cancelled())
+  {
+    return Cancelled();
   }
   joined.points = joiner.TakePoints();
   for (Vec3& p : joined.points)
