@@ -7,7 +7,8 @@
 IMAGE: what mesh.sh takes, or a resolution of the heart phantom. Beside it, each with the mean edge of our interfaces: CGAL's
 Mesh_3 on the same labels (its size is found by trial runs, which do not count), TetGen alone and Gmsh's HXT on our refined surface. The
 programs: ninja -C build/release MeshByCgal MeshByTetGen; Gmsh with its Python module (python3-gmsh). What is not there is left
-out with a line. Seconds of others are of whole processes, files read and written; ours are of the stages without reading, audit and writing. Image, surfaces and meshes lie in the work folder.
+out with a line. Seconds of others are of whole processes, files read and written; ours are of the stages without reading, audit
+and writing. Image, surfaces and meshes lie in the work folder.
 """
 import argparse
 import os
