@@ -115,6 +115,8 @@ TEST(FlatModes, OfTwoMaterialsMakeTwo)
     ASSERT_EQ(found.error, "");
     ASSERT_EQ(found.report.thresholds.size(), 1u);
     EXPECT_NEAR(found.report.thresholds[0], 50.6, 2);
+    ASSERT_EQ(found.report.warnings.size(), 1u);
+    EXPECT_TRUE(Contains(found.report.warnings[0], "one material")) << found.report.warnings[0];
     EXPECT_LT(Wrong(found, truth), 0.001 * static_cast<double>(truth.size()));
   }
 }

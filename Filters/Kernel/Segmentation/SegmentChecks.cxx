@@ -134,6 +134,13 @@ Result<bool> CheckRange(const GreyView& grey, SegmentOptions& options, SegmentRe
         "the histogram of the image has but one peak, or none: its thresholds part it "
         "all the same, look at the result");
     }
+    else if (report.modes.size() == 2)
+    {
+      report.warnings.push_back(Text(
+        "two grey values fill places of the image, ", Short(report.modes[0]), " and ", Short(report.modes[1]),
+        ", which makes one material: if there is another that is nowhere three voxels "
+        "thick, give the thresholds"));
+    }
     return true;
   }
   for (const double threshold : options.thresholds)
