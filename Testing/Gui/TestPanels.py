@@ -8,17 +8,11 @@ import os
 import sys
 import tempfile
 
-from window import PANEL, PROPERTIES, WINDOW, check, play, prepare
+from window import APPLY, OPEN_PHANTOM, PANEL, PROPERTIES, apply_filter, check, play, prepare, resolution, save_state
 
 SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
 SECONDS = 300
 SUMMARY = f"{PROPERTIES}/Summary/Summary"
-FILTERS = f"{WINDOW}/menubar/menuFilters"
-APPLY = (f"{PANEL}/Accept", "activate", "")
-
-
-def apply_filter(name):
-    return ((f"{WINDOW}/menubar", "activate", "menuFilters"), (FILTERS, "activate", "Lamina"), (f"{FILTERS}/Lamina", "activate", name), APPLY)
 
 
 def main():
@@ -27,10 +21,8 @@ def main():
     if os.path.exists(done):
         os.remove(done)
     events = [
-        (f"{WINDOW}/menubar", "activate", "menuSources"),
-        (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
-        (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
-        (f"{PROPERTIES}/Resolution/IntRangeWidget/LineEdit", "set_string", "30"),
+        *OPEN_PHANTOM,
+        resolution(30),
         APPLY,
         ("check", SUMMARY, "text", "tissue: 3264 voxels in 1 piece; blood: 883 voxels in 2 pieces"),
         *apply_filter("MultimaterialSegmentation"),
@@ -41,9 +33,7 @@ def main():
         *apply_filter("PrismLayer"),
         ("check", f"{PROPERTIES}/FluidMaterials/Materials", "count", "2"),
         (f"{PANEL}/Help", "activate", ""),
-        (f"{WINDOW}/menubar", "activate", "menu_File"),
-        (f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
-        (f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", done),
+        *save_state(done),
     ]
     with tempfile.TemporaryDirectory() as home:
         said = play(home, PLUGINS, prepare(home, SOURCES, events), os.path.join(OUTPUT, "panels.log"), lambda: os.path.isfile(done),

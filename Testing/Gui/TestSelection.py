@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from window import PANEL, PROPERTIES, WINDOW, check, play, prepare
+from window import APPLY, OPEN_PHANTOM, PROPERTIES, WINDOW, apply_filter, check, play, prepare, resolution, save_state
 
 SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
 SECONDS = 300
@@ -24,12 +24,6 @@ stage = next(s for (name, _), s in simple.GetSources().items() if name.startswit
 stage.UpdatePipeline()
 print("summary:", stage.GetClientSideObject().GetSummary())
 """
-FILTERS = f"{WINDOW}/menubar/menuFilters"
-APPLY = (f"{PANEL}/Accept", "activate", "")
-
-
-def apply_filter(name):
-    return ((f"{WINDOW}/menubar", "activate", "menuFilters"), (FILTERS, "activate", "Lamina"), (f"{FILTERS}/Lamina", "activate", name), APPLY)
 
 
 def main():
@@ -39,10 +33,8 @@ def main():
         os.remove(done)
     frame = f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.1"
     events = [
-        (f"{WINDOW}/menubar", "activate", "menuSources"),
-        (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
-        (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
-        (f"{PROPERTIES}/Resolution/IntRangeWidget/LineEdit", "set_string", "30"),
+        *OPEN_PHANTOM,
+        resolution(30),
         APPLY,
         *apply_filter("MultimaterialSegmentation"),
         (f"{frame}/actionSelectFrustumPoints", "activate", ""),
@@ -52,9 +44,7 @@ def main():
         *apply_filter("ReassignVoxels"),
         (f"{PROPERTIES}/Selection/Selection/pushButtonCopySelection", "activate", ""),
         APPLY,
-        (f"{WINDOW}/menubar", "activate", "menu_File"),
-        (f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
-        (f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", done),
+        *save_state(done),
     ]
     with tempfile.TemporaryDirectory() as home:
         said = play(home, PLUGINS, prepare(home, SOURCES, events), os.path.join(OUTPUT, "selection.log"), lambda: os.path.isfile(done),

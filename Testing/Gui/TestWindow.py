@@ -9,29 +9,24 @@ import subprocess
 import sys
 import tempfile
 
-from window import WINDOW, check, play, prepare
+from window import APPLY, OPEN_PHANTOM, WINDOW, check, play, prepare, save_state
 
 SOURCES, PLUGINS, OUTPUT = (os.path.abspath(path) for path in sys.argv[1:4])
 SECONDS = 500
 
 # What the mouse does: object, command, arguments, as ParaView's own recorder writes it.
 EVENTS = (
-    (f"{WINDOW}/menubar", "activate", "menuSources"),
-    (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
-    (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
-    (f"{WINDOW}/propertiesDock/propertiesPanel/Accept", "activate", ""),
+    *OPEN_PHANTOM,
+    APPLY,
     (f"{WINDOW}/menubar", "activate", "menu_Macros"),
     (f"{WINDOW}/menubar/menu_Macros", "activate", "Mesh This Image"),
-    (f"{WINDOW}/menubar", "activate", "menu_File"),
-    (f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
-    (f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", os.path.join(OUTPUT, "state.pvsm")),
+    *save_state(os.path.join(OUTPUT, "state.pvsm")),
 )
 
 RELOAD = """
 import sys
 from paraview import simple
-for name in ("Lamina/Lamina.so",):
-    simple.LoadPlugin(sys.argv[1] + "/" + name, remote=False)
+simple.LoadPlugin(sys.argv[1] + "/Lamina/Lamina.so", remote=False)
 simple.LoadState(sys.argv[2])
 audit = simple.FindSource("Audit")
 audit.UpdatePipeline()

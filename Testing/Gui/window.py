@@ -11,6 +11,30 @@ WINDOW = "pqClientMainWindow"
 PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
 PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
 
+FILTERS = f"{WINDOW}/menubar/menuFilters"
+APPLY = (f"{PANEL}/Accept", "activate", "")
+OPEN_PHANTOM = (
+    (f"{WINDOW}/menubar", "activate", "menuSources"),
+    (f"{WINDOW}/menubar/menuSources", "activate", "Lamina"),
+    (f"{WINDOW}/menubar/menuSources/Lamina", "activate", "HeartPhantom"),
+)
+
+
+def apply_filter(name):
+    return ((f"{WINDOW}/menubar", "activate", "menuFilters"), (FILTERS, "activate", "Lamina"), (f"{FILTERS}/Lamina", "activate", name), APPLY)
+
+
+def resolution(voxels):
+    return (f"{PROPERTIES}/Resolution/IntRangeWidget/LineEdit", "set_string", str(voxels))
+
+
+def save_state(path):
+    return (
+        (f"{WINDOW}/menubar", "activate", "menu_File"),
+        (f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
+        (f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", path),
+    )
+
 
 def check(condition, text):
     if not condition:

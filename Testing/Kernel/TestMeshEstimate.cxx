@@ -2,6 +2,7 @@
 // What is told of cells and memory before anything is meshed, against the truth.
 #include "Images.h"
 #include "Sizing/FeatureSize.h"
+#include "Sizing/RefinementDemand.h"
 #include "Surface/ExtractInterfaces.h"
 #include "Surface/RefineSurface.h"
 #include "Surface/SmoothSurface.h"
@@ -158,8 +159,7 @@ TEST(MeshEstimate, AStageRefusesWhatTheMachineCannotHold)
   SmallMachine large(1e12);
   const auto refused = RefineSurface(surface, {}, large);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.GetError().message.find("M triangles"), std::string::npos)
-    << refused.GetError().message;
+  EXPECT_NE(refused.GetError().message.find("M triangles"), std::string::npos) << refused.GetError().message;
 }
 
 TEST(MeshEstimate, ALongestEdgeInTheCoreCounts)

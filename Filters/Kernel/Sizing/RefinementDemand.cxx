@@ -11,8 +11,6 @@ namespace lamina
 namespace
 {
 
-/// Area of an equilateral triangle with edges of 1.
-constexpr double UnitArea = 0.43301270189221932;
 /// Refinement leaves a tenth more triangles than equilateral ones of the wanted edges would be (measured on
 /// phantoms and scans): edges near to the minimum follow targets that fall within a triangle.
 constexpr double MoreThanIdeal = 1.1;
@@ -23,9 +21,14 @@ constexpr double BytesKept = 150;
 
 } // namespace
 
+std::vector<double> AsItIs(const TriangleComplex& surface)
+{
+  return std::vector<double>(surface.triangles.size(), 1.0);
+}
+
 std::vector<double> TrianglesWanted(const TriangleComplex& surface)
 {
-  std::vector<double> wanted(surface.triangles.size(), 1.0);
+  std::vector<double> wanted = AsItIs(surface);
   if (surface.targetEdgeLength.size() != surface.points.size())
   {
     return wanted;

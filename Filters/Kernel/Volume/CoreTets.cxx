@@ -3,6 +3,7 @@
 
 #include "../Geometry/Quality.h"
 #include "../Mesh/Adjacency.h"
+#include "../Sizing/RefinementDemand.h"
 #include "CoreTetsFill.h"
 #include "CoreTetsInput.h"
 #include "FrontCells.h"

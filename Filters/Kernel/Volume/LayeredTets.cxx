@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayeredTets.h"
 
+#include "../Sizing/RefinementDemand.h"
 #include "ImproveLayers.h"
 #include "LayerMesh.h"
 #include "MeshEstimate.h"

@@ -21,7 +21,6 @@ constexpr double MostCorePerTriangle = 3.9;
 constexpr double CoreGrowth = 0.5; ///< of edges over the distance from the front
 constexpr double MiddlePerTriangle = 3.2;
 constexpr double OddMiddlePerTriangle = 1.8;
-constexpr double UnitArea = 0.43301270189221932; ///< of an equilateral triangle with edges of 1
 /// Volume of a regular tet with edges of 1, and how many more tets fill a space of that size.
 constexpr double UnitVolume = 0.11785113019775793;
 constexpr double MoreThanRegular = 1.6;
@@ -76,11 +75,6 @@ void Add(const char* name, const MemoryDemand& demand, MeshEstimate& estimate)
 }
 
 } // namespace
-
-std::vector<double> AsItIs(const TriangleComplex& surface)
-{
-  return std::vector<double>(surface.triangles.size(), 1.0);
-}
 
 MemoryDemand LayeredTetsDemand(const TriangleComplex& surface, const std::vector<double>& counts,
                                const std::vector<int>& solids, int layers)

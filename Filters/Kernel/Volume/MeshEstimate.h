@@ -10,9 +10,8 @@
 namespace lamina
 {
 
-/// For how many triangles each counts, where the surface is meshed as it is: 1 for all. TrianglesWanted
-/// (Sizing/RefinementDemand.h) tells it of a surface that is still to be refined.
-std::vector<double> AsItIs(const TriangleComplex& surface);
+// `counts`: for how many triangles each triangle stands (AsItIs or TrianglesWanted in
+// Sizing/RefinementDemand.h).
 
 /// What Layered Tetrahedra makes in the solids.
 MemoryDemand LayeredTetsDemand(const TriangleComplex& surface, const std::vector<double>& counts,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PrismLayers.h"
 
+#include "../Sizing/RefinementDemand.h"
 #include "FrontCaps.h"
 #include "LayerMesh.h"
 #include "MeshEstimate.h"
