@@ -19,7 +19,9 @@ namespace
 {
 
 constexpr auto TellEvery = std::chrono::milliseconds(100);
-/// A loop is cut into slices of about this time, between which the calling thread listens.
+/// The calling thread looks at the abort flag after this time.
+constexpr auto ListenEvery = std::chrono::milliseconds(20);
+/// A loop in VTK's threads is cut into slices of about this time.
 constexpr double SliceSeconds = 0.25;
 
 int WantedThreads()
@@ -46,7 +48,8 @@ bool StoppedElsewhere(Algorithm*, long)
 AlgorithmMonitor::AlgorithmMonitor(vtkAlgorithm* self)
   : Self(self)
   , Threads(WantedThreads())
-  , OwnScope(std::string(vtkSMPTools::GetBackend()) == "Sequential")
+  , OwnCrew(std::string(vtkSMPTools::GetBackend()) == "Sequential")
+  , Crew(Threads)
   , Told(Clock::now() - TellEvery)
 {
 }
@@ -80,13 +83,9 @@ bool AlgorithmMonitor::Cancelled()
   return this->Stop;
 }
 
-void AlgorithmMonitor::RunInThreads(Id begin, Id end, Id grain, const Chunk& chunk) const
+/// VTK's threads block the calling one. Loops are therefore cut into slices, between which it listens.
+void AlgorithmMonitor::RunInVtk(Id count, Id grain, const Chunk& chunk)
 {
-  if (end - begin <= grain || (this->OwnScope && this->Threads == 1))
-  {
-    chunk(begin, end); // a thread would cost more than it does
-    return;
-  }
   // An exception must not leave a thread: the first one is kept and thrown again here.
   std::exception_ptr thrown;
   std::once_flag once;
@@ -101,30 +100,16 @@ void AlgorithmMonitor::RunInThreads(Id begin, Id end, Id grain, const Chunk& chu
       std::call_once(once, [&] { thrown = std::current_exception(); });
     }
   };
-  const auto run = [&] { vtkSMPTools::For(begin, end, grain, guarded); };
-  if (this->OwnScope)
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ this->Threads, "STDThread", false }, run);
-  }
-  else
-  {
-    run();
-  }
-  if (thrown)
-  {
-    std::rethrow_exception(thrown);
-  }
-}
-
-void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
-{
-  grain = std::max<Id>(grain, 1);
   Id slice = 8 * grain * this->Threads;
   for (Id begin = 0; begin < count && !this->Cancelled();)
   {
     const Id end = std::min(count, begin + slice);
     const auto start = Clock::now();
-    this->RunInThreads(begin, end, grain, chunk);
+    vtkSMPTools::For(begin, end, grain, guarded);
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (seconds < 0.5 * SliceSeconds)
     {
@@ -135,6 +120,29 @@ void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
       slice = std::max(grain * this->Threads, slice / 4);
     }
     begin = end;
+  }
+}
+
+void AlgorithmMonitor::For(Id count, Id grain, const Chunk& chunk)
+{
+  grain = std::max<Id>(grain, 1);
+  if (!this->OwnCrew)
+  {
+    this->RunInVtk(count, grain, chunk);
+    return;
+  }
+  const auto stopped = [this]
+  {
+    if (Clock::now() - this->Listened > ListenEvery)
+    {
+      this->Listened = Clock::now();
+      this->Cancelled();
+    }
+    return this->Stop;
+  };
+  if (!this->Cancelled())
+  {
+    this->Crew.Run(0, count, grain, chunk, stopped);
   }
 }
 

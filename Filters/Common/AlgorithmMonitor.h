@@ -13,8 +13,8 @@ namespace lamina
 {
 
 /// Made and used in the thread that runs RequestData: progress and abort are looked at from there only. Where
-/// VTK's back end is Sequential, as in ParaView's Debian packages, loops run in STDThread for their own
-/// scope. The number of threads is that of VTK_SMP_MAX_THREADS, else that of the cores.
+/// VTK's back end is Sequential, as in ParaView's Debian packages, loops run in threads of the monitor's own,
+/// else in VTK's. The number of threads is that of VTK_SMP_MAX_THREADS, else that of the cores.
 class AlgorithmMonitor : public Monitor
 {
 public:
@@ -31,16 +31,18 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void Tell();
-  void RunInThreads(Id begin, Id end, Id grain, const Chunk& chunk) const;
+  void RunInVtk(Id count, Id grain, const Chunk& chunk);
 
   vtkAlgorithm* Self;
   int Threads;
-  bool OwnScope;
+  bool OwnCrew;
+  ThreadCrew Crew;
   bool Stop = false;
   double MemoryLimit = 0;
   double Fraction = 0;
   std::string What;
   Clock::time_point Told;
+  Clock::time_point Listened;
 };
 
 } // namespace lamina

@@ -2,21 +2,20 @@
 // What a running kernel call may ask of the world: report progress, ask to stop, run a loop in threads.
 #pragma once
 
-#include "Types.h"
+#include "ThreadCrew.h"
 
 #include <atomic>
-#include <functional>
 #include <limits>
 
 namespace lamina
 {
 
 /// Progress, cancel and threads for a kernel call. One implementation stands on vtkSMPTools (Filters/Common),
-/// one on std::thread (below). Progress() and Cancelled() are called from the calling thread only.
+/// one on threads of its own (below). Progress() and Cancelled() are called from the calling thread only.
 class Monitor
 {
 public:
-  using Chunk = std::function<void(Id begin, Id end)>;
+  using Chunk = ThreadCrew::Chunk;
 
   virtual ~Monitor() = default;
   /// Report the share of the work done, in [0, 1], and what is going on.
@@ -55,12 +54,12 @@ private:
   double To;
 };
 
-/// A monitor over std::thread without a listener; Cancel() may be called from any thread.
+/// A monitor with threads of its own, without a listener; Cancel() may be called from any thread.
 class ThreadMonitor : public Monitor
 {
 public:
   explicit ThreadMonitor(int threads = 1)
-    : Threads(threads)
+    : Crew(threads)
   {
   }
   void Progress(double, const char*) override {}
@@ -69,7 +68,7 @@ public:
   void Cancel() { this->Stop = true; }
 
 private:
-  int Threads;
+  ThreadCrew Crew;
   std::atomic<bool> Stop{ false };
 };
 

@@ -153,7 +153,7 @@ Id Smoother::Sweep(Monitor& monitor)
   {
     const std::vector<Relaxable>& edges = this->Classes[c];
     std::vector<char>& stuck = this->Stuck[c];
-    monitor.For(static_cast<Id>(edges.size()), 512,
+    monitor.For(static_cast<Id>(edges.size()), 256,
                 [&](Id begin, Id end)
                 {
                   for (Id i = begin; i < end; ++i)
