@@ -16,8 +16,8 @@ constexpr double quarter = 0.25; ///< of a voxel: sheets must not come nearer
 
 struct Nearness
 {
-  double gap = 0; ///< least distance of triangles that face each other, in voxels or, without them, targets
-  Id near = 0;    ///< points where it is less than a quarter
+  double gap = 0;     ///< the least one between triangles, in voxels or, without them, targets
+  Id near = 0;        ///< points where it is less than a quarter
   double angle = 180; ///< least one between triangles that share an edge, in degrees
 };
 
@@ -28,7 +28,7 @@ inline Nearness MeasureNearness(const TriangleComplex& s, double voxel, Monitor&
   const Lists star = TrianglesOfPoints(static_cast<Id>(s.points.size()), s.triangles);
   const double widest =
     voxel > 0 ? voxel : *std::max_element(s.targetEdgeLength.begin(), s.targetEdgeLength.end());
-  const std::vector<double> gaps = MeasureGaps(s.points, s.triangles, table, star, widest, monitor).facing;
+  const std::vector<double> gaps = MeasureTrueGaps(s, table, star, widest, monitor);
   Nearness found;
   found.gap = 1;
   for (std::size_t p = 0; p < gaps.size(); ++p)

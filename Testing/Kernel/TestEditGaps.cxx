@@ -5,6 +5,7 @@
 #include "Shapes.h"
 #include "Surface/EditableSurface.h"
 #include "Surface/RefinedVolumes.h"
+#include "Surface/Refinement.h"
 
 #include <gtest/gtest.h>
 
@@ -121,6 +122,32 @@ TEST(EditGaps, CoarseEdgesAndAWideToleranceLeaveTheSheetsApart)
       EXPECT_TRUE(measures::StayOpen(was, is)) << was.angle << " -> " << is.angle;
       EXPECT_NE(surface.triangles.size(), before.triangles.size());
     }
+  }
+}
+
+TEST(EditGaps, NothingElseWouldKeepTheSheetsApart)
+{
+  TriangleComplex surface = Waves(0.4, 2);
+  surface.targetEdgeLength.assign(surface.points.size(), 3);
+  ClassifyJunctions(surface);
+  ThreadMonitor monitor(2);
+  const auto was = measures::MeasureNearness(surface, 1, monitor);
+  RefineSurfaceOptions options;
+  options.tolerance = 0.6;
+  for (const bool keepGaps : { false, true })
+  {
+    InputSurface input(surface, options.tolerance, 1, monitor);
+    if (keepGaps)
+    {
+      input.KeepGaps();
+    }
+    EditableSurface edited(input, options.mergeRatio, options.splitRatio);
+    Refinement refinement(edited, options, monitor);
+    refinement.Iterate();
+    TriangleComplex refined;
+    edited.Write(refined, monitor);
+    const auto is = measures::MeasureNearness(refined, 1, monitor);
+    EXPECT_EQ(measures::StayApart(was, is), keepGaps) << was.gap << " -> " << is.gap;
   }
 }
 

@@ -14,11 +14,6 @@ double Clamp01(double t)
   return std::min(1.0, std::max(0.0, t));
 }
 
-bool ShareCorner(const Triangle& s, const Triangle& t)
-{
-  return std::any_of(s.begin(), s.end(), [&t](Id p) { return p == t[0] || p == t[1] || p == t[2]; });
-}
-
 } // namespace
 
 std::array<double, 2> SegmentParameters(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2)

@@ -8,6 +8,12 @@
 namespace lamina
 {
 
+inline bool ShareCorner(const Triangle& s, const Triangle& t)
+{
+  return s[0] == t[0] || s[0] == t[1] || s[0] == t[2] || s[1] == t[0] || s[1] == t[1] || s[1] == t[2] ||
+         s[2] == t[0] || s[2] == t[1] || s[2] == t[2];
+}
+
 /// Where the shortest connection of segments (p, p2) and (q, q2) ends on either, 0 to 1.
 std::array<double, 2> SegmentParameters(const Vec3& p, const Vec3& p2, const Vec3& q, const Vec3& q2);
 

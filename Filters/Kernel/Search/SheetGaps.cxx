@@ -2,6 +2,7 @@
 #include "SheetGaps.h"
 
 #include "Clearance.h"
+#include "Facing.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -21,12 +22,6 @@ constexpr double facingSine = 0.7071; ///< 45 degrees
 std::size_t At(Id i)
 {
   return static_cast<std::size_t>(i);
-}
-
-bool ShareCorner(const Triangle& s, const Triangle& t)
-{
-  return s[0] == t[0] || s[0] == t[1] || s[0] == t[2] || s[1] == t[0] || s[1] == t[1] || s[1] == t[2] ||
-         s[2] == t[0] || s[2] == t[1] || s[2] == t[2];
 }
 
 /// Values that threads lower: the least of all is the same in whatever order.
@@ -61,12 +56,13 @@ class GapFinder
 {
 public:
   GapFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const EdgeTable& table,
-            const Lists& star, double cutoff)
+            const Lists& star, double cutoff, const std::vector<MaterialPair>* materials = nullptr)
     : Points(points)
     , Triangles(triangles)
     , Table(table)
     , Star(star)
     , Cutoff(cutoff)
+    , Materials(materials)
     , Tree(points, triangles)
     , EdgesOf(triangles.size())
     , Owned(triangles.size(), 0)
@@ -99,19 +95,15 @@ private:
   void MeasurePair(Id s, Id t);
   void MeasureEdges(Id e, Id f);
   void MeasureCorner(Id p, Id t);
-  void Note(Id s, Id t, double distance2, const Vec3& connection);
-  bool Faces(Id t, const Vec3& connection, double distance2) const
-  {
-    const Vec3 n = AreaVector2(this->Points, this->Triangles[At(t)]);
-    const double along = Dot(n, connection);
-    return along * along >= facingSine * facingSine * distance2 * Norm2(n);
-  }
+  void Note(Id s, Id t, double distance2, const Vec3& connection, const Vec3& from);
+  bool Face(Id s, Id t, double distance2, const Vec3& connection, const Vec3& from) const;
 
   const std::vector<Vec3>& Points;
   const std::vector<Triangle>& Triangles;
   const EdgeTable& Table;
   const Lists& Star;
   double Cutoff;
+  const std::vector<MaterialPair>* Materials; ///< of the triangles, where only true gaps count
   TriangleTree Tree;
   std::vector<std::array<std::int32_t, 3>> EdgesOf; ///< opposite to each corner
   std::vector<unsigned char> Owned; ///< bits of the edges, then of the corners, that a triangle measures
@@ -120,18 +112,48 @@ private:
   Minima Facing;
 };
 
-void GapFinder::Note(Id s, Id t, double distance2, const Vec3& connection)
+/// `connection` leads from t to the place `from` on s.
+bool GapFinder::Face(Id s, Id t, double distance2, const Vec3& connection, const Vec3& from) const
+{
+  const Vec3 own = AreaVector2(this->Points, this->Triangles[At(s)]);
+  const Vec3 other = AreaVector2(this->Points, this->Triangles[At(t)]);
+  const double ownAlong = Dot(own, connection);
+  const double otherAlong = Dot(other, connection);
+  constexpr double least2 = facingSine * facingSine;
+  if (ownAlong * ownAlong < least2 * distance2 * Norm2(own) ||
+      otherAlong * otherAlong < least2 * distance2 * Norm2(other))
+  {
+    return false;
+  }
+  return this->Materials == nullptr ||
+         (MaterialTowards((*this->Materials)[At(s)], -ownAlong) ==
+            MaterialTowards((*this->Materials)[At(t)], otherAlong) &&
+          !AreJoined(
+            from, this->Triangles[At(s)], from - connection, this->Triangles[At(t)],
+            shortWay * std::sqrt(distance2), [this](Id p) { return this->X(p); },
+            [this](Id p, const auto& visit)
+            {
+              for (const Id around : Row(this->Star, p))
+              {
+                for (const Id q : this->Triangles[At(around)])
+                {
+                  visit(q);
+                }
+              }
+            }));
+}
+
+void GapFinder::Note(Id s, Id t, double distance2, const Vec3& connection, const Vec3& from)
 {
   const bool isNearest = distance2 < this->Any.Of(s) || distance2 < this->Any.Of(t);
-  const bool isNearestFacing = (distance2 < this->Facing.Of(s) || distance2 < this->Facing.Of(t)) &&
-                               this->Faces(s, connection, distance2) && this->Faces(t, connection, distance2);
-  if ((!isNearest && !isNearestFacing) || ShareCorner(this->Triangles[At(s)], this->Triangles[At(t)]))
+  const bool mayFace = distance2 < this->Facing.Of(s) || distance2 < this->Facing.Of(t);
+  if ((!isNearest && !mayFace) || ShareCorner(this->Triangles[At(s)], this->Triangles[At(t)]))
   {
     return;
   }
   this->Any.Lower(s, distance2);
   this->Any.Lower(t, distance2);
-  if (isNearestFacing)
+  if (mayFace && this->Face(s, t, distance2, connection, from))
   {
     this->Facing.Lower(s, distance2);
     this->Facing.Lower(t, distance2);
@@ -161,11 +183,14 @@ void GapFinder::MeasureEdges(Id e, Id f)
   {
     return;
   }
+  const Vec3 from =
+    this->X(own.a) +
+    SegmentParameters(this->X(own.a), this->X(own.b), this->X(other.a), this->X(other.b))[0] * u;
   for (const Id s : Row(this->Table.triangles, e))
   {
     for (const Id t : Row(this->Table.triangles, f))
     {
-      this->Note(s, t, distance2, connection);
+      this->Note(s, t, distance2, connection, from);
     }
   }
 }
@@ -195,7 +220,7 @@ void GapFinder::MeasureCorner(Id p, Id t)
   }
   for (const Id s : Row(this->Star, p))
   {
-    this->Note(s, t, distance2, this->X(p) - closest);
+    this->Note(s, t, distance2, this->X(p) - closest, this->X(p));
   }
 }
 
@@ -261,6 +286,14 @@ SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangl
   GapFinder finder(points, triangles, table, star, cutoff);
   finder.Measure(monitor);
   return finder.OfPoints();
+}
+
+std::vector<double> MeasureTrueGaps(const TriangleComplex& surface, const EdgeTable& table, const Lists& star,
+                                    double cutoff, Monitor& monitor)
+{
+  GapFinder finder(surface.points, surface.triangles, table, star, cutoff, &surface.materials);
+  finder.Measure(monitor);
+  return finder.OfPoints().facing;
 }
 
 } // namespace lamina

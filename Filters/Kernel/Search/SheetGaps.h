@@ -4,6 +4,7 @@
 
 #include "../Base/Monitor.h"
 #include "../Mesh/Adjacency.h"
+#include "../Mesh/TriangleComplex.h"
 
 namespace lamina
 {
@@ -22,5 +23,10 @@ struct SheetGaps
 /// Measure around every point. table and star belong to `triangles`.
 SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                       const EdgeTable& table, const Lists& star, double cutoff, Monitor& monitor);
+
+/// Per point the least gap of a surface whose sheets may meet at sharp curves: as `facing`, but only to
+/// triangles that see these through one material and are not joined to them by a short way (Facing.h).
+std::vector<double> MeasureTrueGaps(const TriangleComplex& surface, const EdgeTable& table, const Lists& star,
+                                    double cutoff, Monitor& monitor);
 
 } // namespace lamina

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits that would bring sheets near to each other, or fold triangles onto their neighbours.
 #include "../Mesh/EdgeAngles.h"
+#include "../Search/Facing.h"
 #include "EditCorners.h"
 #include "EditableSurface.h"
 #include "FacingPairs.h"
@@ -22,12 +23,29 @@ constexpr double degree = 3.141592653589793 / 180;
 /// The triangles, which share no corner, do not face each other too near.
 bool EditableSurface::StaysApart(const Added& added, Id other, double leastGap) const
 {
-  const auto places = [this](const Triangle& c) {
-    return std::array<Vec3, 3>{ { this->Point(c[0]), this->Point(c[1]), this->Point(c[2]) } };
+  const auto facet = [this](const Triangle& c, const Vec3& normal, int sheet)
+  {
+    return Facet{ { { this->Point(c[0]), this->Point(c[1]), this->Point(c[2]) } },
+                  normal,
+                  sheet,
+                  this->Input.Surface().materials[U(this->PairOfSheet[U(sheet)])] };
   };
-  return StayApart({ places(added.corners), added.normal, added.sheet },
-                   { places(this->Corners(other)), this->Normals[U(other)], this->Sheets[U(other)] },
-                   leastGap, InputSurface::ShareOfGap, this->Input);
+  const auto visitRing = [this](Id p, const auto& visit)
+  {
+    for (const Id t : this->Star(p))
+    {
+      std::for_each(this->Corners(t).begin(), this->Corners(t).end(), visit);
+    }
+  };
+  const auto isJoined = [&](const Vec3& from, const Vec3& to, double most)
+  {
+    return AreJoined(
+      from, added.corners, to, this->Corners(other), most, [this](Id p) { return this->Point(p); },
+      visitRing);
+  };
+  return StayApart(facet(added.corners, added.normal, added.sheet),
+                   facet(this->Corners(other), this->Normals[U(other)], this->Sheets[U(other)]), leastGap,
+                   InputSurface::ShareOfGap, this->Input, isJoined);
 }
 
 /// The greatest cosine of the angles that a triangle forms at its edges with `others`, seen with the points

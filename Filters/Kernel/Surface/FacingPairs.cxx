@@ -2,6 +2,7 @@
 #include "FacingPairs.h"
 
 #include "../Search/Clearance.h"
+#include "../Search/Facing.h"
 #include "EditCorners.h"
 
 #include <algorithm>
@@ -49,7 +50,8 @@ bool MayFace(const Places& own, const Vec3& normal, const Places& theirs)
 
 } // namespace
 
-bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, const InputSurface& input)
+bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, const InputSurface& input,
+               const IsJoined& isJoined)
 {
   if (!MayFace(s.corners, s.normal, t.corners) || !MayFace(t.corners, t.normal, s.corners))
   {
@@ -59,14 +61,17 @@ bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, co
   {
     const Vec3 connection = from - to;
     const double gap = Norm(connection);
-    const auto leaves = [&](const Vec3& n) { return std::abs(Dot(connection, n)) >= facingCosine * gap; };
-    return gap >= leastGap || !leaves(s.normal) || !leaves(t.normal) ||
-           gap >= (1 - rounding) * share * Norm(input.Origin(s.sheet, from) - input.Origin(t.sheet, to));
+    const double own = Dot(connection, s.normal);
+    const double other = Dot(connection, t.normal);
+    return gap >= leastGap || std::abs(own) < facingCosine * gap || std::abs(other) < facingCosine * gap ||
+           MaterialTowards(s.pair, -own) != MaterialTowards(t.pair, other) ||
+           gap >= (1 - rounding) * share * Norm(input.Origin(s.sheet, from) - input.Origin(t.sheet, to)) ||
+           isJoined(from, to, shortWay * gap);
   };
   return AllOfConnections(s.corners, t.corners, isWide);
 }
 
-std::vector<Id> FindNarrow(const TriangleComplex& surface, const SheetGraph& sheets,
+std::vector<Id> FindNarrow(const TriangleComplex& surface, const Lists& star, const SheetGraph& sheets,
                            const InputSurface& input, Monitor& monitor)
 {
   if (!input.KeepsGaps())
@@ -79,7 +84,15 @@ std::vector<Id> FindNarrow(const TriangleComplex& surface, const SheetGraph& she
     const Triangle& c = surface.triangles[U(t)];
     return Facet{ { { surface.points[U(c[0])], surface.points[U(c[1])], surface.points[U(c[2])] } },
                   Normalized(AreaVector2(surface.points, c)),
-                  sheets.sheetOfTriangle[U(t)] };
+                  sheets.sheetOfTriangle[U(t)],
+                  surface.materials[U(t)] };
+  };
+  const auto visitRing = [&](Id p, const auto& visit)
+  {
+    for (const Id t : Row(star, p))
+    {
+      std::for_each(surface.triangles[U(t)].begin(), surface.triangles[U(t)].end(), visit);
+    }
   };
   std::vector<char> isNarrow(surface.triangles.size(), 0);
   const auto look = [&](Id t)
@@ -99,8 +112,13 @@ std::vector<Id> FindNarrow(const TriangleComplex& surface, const SheetGraph& she
                      [&](Id other)
                      {
                        const Triangle& d = surface.triangles[U(other)];
-                       isNarrow[U(t)] = !Has(d, c[0]) && !Has(d, c[1]) && !Has(d, c[2]) &&
-                                        !StayApart(own, facet(other), gap, keptShare, input);
+                       const auto isJoined = [&](const Vec3& from, const Vec3& to, double most)
+                       {
+                         return AreJoined(
+                           from, c, to, d, most, [&](Id p) { return surface.points[U(p)]; }, visitRing);
+                       };
+                       isNarrow[U(t)] =
+                         !ShareCorner(c, d) && !StayApart(own, facet(other), gap, keptShare, input, isJoined);
                        return !isNarrow[U(t)];
                      });
   };

@@ -2,7 +2,10 @@
 // Triangles that face each other across a gap.
 #pragma once
 
+#include "../Mesh/Adjacency.h"
 #include "InputSurface.h"
+
+#include <functional>
 
 namespace lamina
 {
@@ -12,15 +15,21 @@ struct Facet
   std::array<Vec3, 3> corners;
   Vec3 normal; ///< unit
   int sheet;
+  MaterialPair pair;
 };
 
+/// Whether a way along the surface of at most `most` joins a place on the first facet to one on the second.
+using IsJoined = std::function<bool(const Vec3& from, const Vec3& to, double most)>;
+
 /// Whether two triangles without a common corner do not face each other nearer than `leastGap` and than
-/// `share` of what lay between their places in the input.
-bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, const InputSurface& input);
+/// `share` of what lay between their places in the input. Those face each other that see each other through
+/// one material, and are not joined by a short way (Search/Facing.h).
+bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, const InputSurface& input,
+               const IsJoined& isJoined);
 
 /// The triangles of a refined surface, ascending, that face another one too near. `sheets`: in the numbers of
-/// the input.
-std::vector<Id> FindNarrow(const TriangleComplex& surface, const SheetGraph& sheets,
+/// the input; `star`: the triangles of its points.
+std::vector<Id> FindNarrow(const TriangleComplex& surface, const Lists& star, const SheetGraph& sheets,
                            const InputSurface& input, Monitor& monitor);
 
 } // namespace lamina

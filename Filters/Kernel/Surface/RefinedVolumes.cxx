@@ -167,7 +167,8 @@ private:
   std::vector<Id> Faults()
   {
     std::vector<Id> faults = this->Far.Find(this->Watch);
-    const std::vector<Id> narrow = FindNarrow(this->Surface, this->Sheets, this->Input, this->Watch);
+    const std::vector<Id> narrow =
+      FindNarrow(this->Surface, this->Star, this->Sheets, this->Input, this->Watch);
     faults.insert(faults.end(), narrow.begin(), narrow.end());
     for (const auto& pair : FindIntersections(this->Surface.points, this->Surface.triangles, this->Watch))
     {
