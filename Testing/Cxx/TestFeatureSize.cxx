@@ -76,7 +76,7 @@ TEST(FeatureSize, CurvatureAndSizesOfMaterialsAreProperties)
   };
   EXPECT_NEAR(edge(), 1, 0.02); // diameter times Anisotropy over Layers
   filter->SetNodesPerCircumference(20);
-  EXPECT_NEAR(edge(), 3.14159265 / 20, 0.005);
+  EXPECT_NEAR(edge(), 3.14159265 / 20.5, 0.004);
   filter->SetNodesPerCircumference(0);
   filter->AddMaterialSizing(1, 4, 1, 0, 0);
   EXPECT_NEAR(edge(), 0.25, 0.005);

@@ -149,9 +149,9 @@ TEST(FeatureSizeShapes, CurvatureGivesCirclesTheirNodes)
   EXPECT_NEAR(report.strongestCurvature, 1, 0.02);
   for (double edge : { Least(surface.targetEdgeLength), Largest(surface.targetEdgeLength) })
   {
-    EXPECT_NEAR(edge, 2 * Pi / 16, 0.02 * 2 * Pi / 16);
+    EXPECT_NEAR(edge, 2 * Pi / 16.5, 0.02 * 2 * Pi / 16.5);
   }
-  EXPECT_NEAR(Least(surface.featureSize), 2 * Pi / 16, 0.01) << "edge over ratio, which is 1";
+  EXPECT_NEAR(Least(surface.featureSize), 2 * Pi / 16.5, 0.01) << "edge over ratio, which is 1";
   EXPECT_NEAR(Least(surface.thickness), 2, 0.02) << "layers keep the thickness";
   // Where thickness already gives more nodes, nothing changes; nor below the minimum.
   options.layers = 12; // 2 * 2 / 12: 19 around

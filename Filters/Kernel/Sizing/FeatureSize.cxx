@@ -68,10 +68,14 @@ std::vector<MaterialPair> PairsOfPoints(const TriangleComplex& surface)
   return pairs;
 }
 
+/// Edges come out a little longer or shorter than they should: with half of one to spare no ring of them has
+/// too few.
+constexpr double spareNodes = 0.5;
+
 /// The edge length that gives a circle of a curvature its nodes.
 double EdgeForCurvature(double curvature, int nodes)
 {
-  return nodes > 0 && curvature > 0 ? 2 * Pi / (nodes * curvature) : Infinity;
+  return nodes > 0 && curvature > 0 ? 2 * Pi / ((nodes + spareNodes) * curvature) : Infinity;
 }
 
 /// Size and edge length of every point that triangles use, before their slopes are limited.

@@ -28,14 +28,14 @@ bool EditableSurface::IsSound(Edit& edit) const
 
 bool EditableSurface::HasGoodShapes(Edit& edit) const
 {
-  this->Boxes.clear();
+  edit.boxes.clear();
   for (Added& t : edit.added)
   {
     const Vec3& a = this->Point(t.corners[0]);
     const Vec3& b = this->Point(t.corners[1]);
     const Vec3& c = this->Point(t.corners[2]);
     t.normal = Normalized(Cross(b - a, c - a));
-    this->Boxes.push_back(this->BoxOf(t.corners));
+    edit.boxes.push_back(this->BoxOf(t.corners));
     if ((!this->Mending && Dot(t.normal, t.before) < leastTurnCosine) ||
         !(this->Quality(t.corners) >= edit.leastQuality))
     {
@@ -103,7 +103,7 @@ double EditableSurface::PlaceSamples(Edit& edit) const
         Vec3 closest;
         std::array<double, 3> weights;
         if (added.sheet != this->Sheets[static_cast<std::size_t>(t)] ||
-            this->Boxes[i].Distance2(place) >= nearest)
+            edit.boxes[i].Distance2(place) >= nearest)
         {
           continue;
         }
@@ -141,7 +141,7 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit, bool allVisible) const
       { target, this->Target(t.corners[0]), this->Target(t.corners[1]), this->Target(t.corners[2]) });
   }
   const double reach = this->Input.LeastGap(target);
-  return this->Grid.ForNear(this->Boxes, reach,
+  return this->Grid.ForNear(edit.boxes, reach,
                             [&](std::size_t i, Id other)
                             {
                               if (std::binary_search(edit.removed.begin(), edit.removed.end(), other))
@@ -159,7 +159,7 @@ bool EditableSurface::IsClearOfOthers(const Edit& edit, bool allVisible) const
                                          !TrianglesIntersect(this->Points, t.corners, theirs);
                                 }
                               }
-                              const double apart2 = this->Boxes[i].Distance2(this->BoxOf(theirs));
+                              const double apart2 = edit.boxes[i].Distance2(this->BoxOf(theirs));
                               return (apart2 > 0 || !TrianglesIntersect(this->Points, t.corners, theirs)) &&
                                      (apart2 >= reach * reach || this->StaysApart(t, other, reach));
                             });

@@ -92,10 +92,17 @@ Vec3 EditableSurface::MergedPlace(Id gone, Id kept, const EdgeTriangles& shared)
 
 bool EditableSurface::Merge(Id a, Id b, bool anyLength)
 {
+  this->PlanMerge(a, b, anyLength, this->Work);
+  return this->CarryOut(this->Work);
+}
+
+void EditableSurface::PlanMerge(Id a, Id b, bool anyLength, EditPlan& plan)
+{
+  plan.isSound = false;
   const EdgeTriangles shared = this->TrianglesAt(a, b);
   if (shared.empty())
   {
-    return false;
+    return;
   }
   Class ca = this->Classes[U(a)];
   Class cb = this->Classes[U(b)];
@@ -107,7 +114,7 @@ bool EditableSurface::Merge(Id a, Id b, bool anyLength)
   const bool feature = this->IsFeature(shared);
   if (ca == AtCorner || (ca == OnCurve && !feature) || !this->LinkAllows(a, b, shared))
   {
-    return false;
+    return;
   }
   const Vec3 end = this->Point(b);
   Vec3 place = end;
@@ -115,19 +122,23 @@ bool EditableSurface::Merge(Id a, Id b, bool anyLength)
   {
     place = ca == OnSheet ? this->MergedPlace(a, b, shared) : 0.5 * (this->Point(a) + end);
   }
-  if (this->MergeInto(a, b, shared, place, anyLength))
+  this->PlanMergeInto(a, b, shared, place, anyLength, plan);
+  if (ca == cb && !plan.isSound)
   {
-    return true;
+    this->PlanMergeInto(a, b, shared, end, anyLength, plan);
   }
-  return ca == cb && (this->MergeInto(a, b, shared, end, anyLength) ||
-                      this->MergeInto(b, a, shared, this->Point(a), anyLength));
+  if (ca == cb && !plan.isSound)
+  {
+    this->PlanMergeInto(b, a, shared, this->Point(a), anyLength, plan);
+  }
 }
 
-bool EditableSurface::MergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place,
-                                bool anyLength)
+void EditableSurface::PlanMergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place,
+                                    bool anyLength, EditPlan& plan)
 {
   const bool moves = !(place == this->Point(kept));
-  Edit& edit = this->RemovalOfStars(gone, moves ? kept : -1);
+  Edit& edit = plan.edit;
+  this->RemoveStars(edit, gone, moves ? kept : -1);
   double worst = 1;
   for (Id t : edit.removed)
   {
@@ -145,27 +156,23 @@ bool EditableSurface::MergeInto(Id gone, Id kept, const EdgeTriangles& shared, c
   edit.moved = kept;
   edit.from = before;
   const double target = this->Target(kept);
+  plan.gone = gone;
+  plan.place = place;
+  plan.target = std::min(target, this->Target(gone));
+  plan.stretch = this->Stretches.empty() ? Stretch{} : this->Stretches[U(kept)];
   this->Points[U(kept)] = place;
-  this->Targets[U(kept)] = std::min(target, this->Target(gone));
-  bool sound = true;
+  this->Targets[U(kept)] = plan.target;
+  plan.isSound = true;
   for (const Added& t : edit.added)
   {
     for (Id p : Others(t.corners, kept))
     {
-      sound = sound && (anyLength || this->RelativeLength(kept, p) <= this->SplitRatio);
+      plan.isSound = plan.isSound && (anyLength || this->RelativeLength(kept, p) <= this->SplitRatio);
     }
   }
-  sound = sound && this->IsSound(edit);
+  plan.isSound = plan.isSound && this->IsSound(edit);
   this->Points[U(kept)] = before;
-  if (!sound)
-  {
-    this->Targets[U(kept)] = target;
-    return false;
-  }
-  this->Commit(edit, kept, place);
-  this->Classes[U(gone)] = Removed;
-  ++this->Done.merges;
-  return true;
+  this->Targets[U(kept)] = target;
 }
 
 } // namespace lamina

@@ -25,9 +25,10 @@ bool EditableSurface::CurveNeighbours(Id p, Id& before, Id& after) const
   return after >= 0;
 }
 
-bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
+void EditableSurface::PlanMove(Id p, const Vec3& place, double leastQuality, EditPlan& plan)
 {
-  Edit& edit = this->RemovalOfStars(p);
+  Edit& edit = plan.edit;
+  this->RemoveStars(edit, p);
   for (Id t : edit.removed)
   {
     this->Add(edit, this->Corners(t), t);
@@ -37,14 +38,19 @@ bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
   const Vec3 before = this->Point(p);
   edit.moved = p;
   edit.from = before;
+  plan.gone = -1;
+  plan.place = place;
+  plan.target = this->Target(p);
+  plan.stretch = this->Stretches.empty() ? Stretch{} : this->Stretches[U(p)];
   this->Points[U(p)] = place;
-  const bool sound = this->IsSound(edit);
+  plan.isSound = this->IsSound(edit);
   this->Points[U(p)] = before;
-  if (sound)
-  {
-    this->Commit(edit, p, place);
-  }
-  return sound;
+}
+
+bool EditableSurface::TryMove(Id p, const Vec3& place, double leastQuality)
+{
+  this->PlanMove(p, place, leastQuality, this->Work);
+  return this->CarryOut(this->Work);
 }
 
 namespace
@@ -57,22 +63,28 @@ constexpr double leastSplit = 1;     ///< relative length: the halves are not to
 
 } // namespace
 
-/// Whether anything around p is not as it was when p was last tried in vain.
-bool EditableSurface::HasChanged(Id p) const
+bool EditableSurface::MayRelax(Id p) const
 {
-  return std::any_of(this->Star(p).begin(), this->Star(p).end(),
+  return this->Classes[U(p)] < AtCorner &&
+         std::any_of(this->Star(p).begin(), this->Star(p).end(),
                      [&](Id t) { return this->Changed[U(t)] > this->Relaxed[U(p)]; });
 }
 
 bool EditableSurface::Relax(Id p)
 {
-  if (this->Classes[U(p)] >= AtCorner || this->Star(p).empty() || !this->HasChanged(p))
+  if (!this->MayRelax(p))
   {
     return false;
   }
-  this->Relaxed[U(p)] = this->Changes;
+  this->PlanRelax(p, this->Work);
+  return this->CarryOut(this->Work);
+}
+
+/// Towards the middle of the neighbours on a curve, or the weighted middle of the triangles on a sheet, and
+/// there without a change of volume. False if there is no such move.
+bool EditableSurface::RelaxingMove(Id p, Vec3& move) const
+{
   const Vec3& x = this->Point(p);
-  Vec3 move;
   if (this->Classes[U(p)] == OnCurve)
   {
     Id before;
@@ -83,50 +95,54 @@ bool EditableSurface::Relax(Id p)
     }
     const Vec3 along = Normalized(this->Point(after) - this->Point(before));
     move = Dot(0.5 * (this->Point(after) + this->Point(before)) - x, along) * along;
+    return true;
   }
-  else
+  const Vec3 gradient = this->VolumeGradient(p);
+  double weights = 0;
+  for (Id t : this->Star(p))
   {
-    const Vec3 gradient = this->VolumeGradient(p);
-    double weights = 0;
-    for (Id t : this->Star(p))
-    {
-      const Triangle& c = this->Corners(t);
-      const Vec3 area = AreaVector2(this->Points, c);
-      const double h = this->Target(c[0]) + this->Target(c[1]) + this->Target(c[2]);
-      const double weight = Norm(area) / (h * h);
-      move += weight * ((1.0 / 3) * (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) - x);
-      weights += weight;
-    }
-    if (weights == 0 || Norm2(gradient) == 0)
-    {
-      return false;
-    }
-    move *= 1 / weights;
-    move -= (Dot(move, gradient) / Norm2(gradient)) * gradient;
+    const Triangle& c = this->Corners(t);
+    const Vec3 area = AreaVector2(this->Points, c);
+    const double h = this->Target(c[0]) + this->Target(c[1]) + this->Target(c[2]);
+    const double weight = Norm(area) / (h * h);
+    move += weight * ((1.0 / 3) * (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) - x);
+    weights += weight;
   }
-  const double worst = this->WorstQuality(p);
-  if (Norm(move) < leastMove * this->Target(p))
+  if (weights == 0 || Norm2(gradient) == 0)
   {
     return false;
   }
+  move *= 1 / weights;
+  move -= (Dot(move, gradient) / Norm2(gradient)) * gradient;
+  return true;
+}
+
+void EditableSurface::PlanRelax(Id p, EditPlan& plan)
+{
+  this->Relaxed[U(p)] = this->Changes;
+  plan.isSound = false;
+  Vec3 move;
+  if (!this->RelaxingMove(p, move) || Norm(move) < leastMove * this->Target(p))
+  {
+    return;
+  }
+  const Vec3 x = this->Point(p);
+  const double worst = this->WorstQuality(p);
   for (double step : { 1.0, 0.4 })
   {
-    if (this->TryMove(p, x + step * move, std::min(worst, 0.5)))
+    this->PlanMove(p, x + step * move, std::min(worst, 0.5), plan);
+    if (plan.isSound)
     {
-      const int sheet = this->Sheets[U(this->Star(p)[0])];
-      const auto place = this->Input.ClosestOnSheet(sheet, this->Point(p), this->Input.MeanEdge());
+      const auto place =
+        this->Input.ClosestOnSheet(plan.edit.added[0].sheet, plan.place, this->Input.MeanEdge());
       if (place.triangle >= 0)
       {
-        this->Targets[U(p)] = this->Input.TargetAt(place);
-        if (!this->Stretches.empty())
-        {
-          this->Stretches[U(p)] = this->Input.StretchAt(place);
-        }
+        plan.target = this->Input.TargetAt(place);
+        plan.stretch = this->Stretches.empty() ? Stretch{} : this->Input.StretchAt(place);
       }
-      return true;
+      return;
     }
   }
-  return false;
 }
 
 double EditableSurface::WorstQuality(Id p) const

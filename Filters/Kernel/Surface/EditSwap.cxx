@@ -34,7 +34,8 @@ bool EditableSurface::Swap(Id a, Id b)
   {
     return false;
   }
-  Edit& edit = this->RemovalOf(shared);
+  Edit& edit = this->Work.edit;
+  this->RemoveTriangles(edit, shared);
   edit.leastQuality = least;
   this->Add(edit, { a, d, c }, shared[0]);
   this->Add(edit, { d, b, c }, shared[1]);

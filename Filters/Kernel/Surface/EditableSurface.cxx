@@ -2,6 +2,7 @@
 #include "EditableSurface.h"
 
 #include "../Geometry/Quality.h"
+#include "../Search/Facing.h"
 #include "EditCorners.h"
 
 #include <algorithm>
@@ -181,9 +182,64 @@ void EditableSurface::Commit(const Edit& edit, Id moved, const Vec3& place)
   }
 }
 
-EditableSurface::Edit& EditableSurface::RemovalOf(const EdgeTriangles& triangles)
+bool EditableSurface::CarryOut(const EditPlan& plan)
 {
-  Edit& edit = this->Work;
+  if (!plan.isSound)
+  {
+    return false;
+  }
+  const Id p = plan.edit.moved;
+  this->Commit(plan.edit, p, plan.place);
+  this->Targets[U(p)] = plan.target;
+  if (!this->Stretches.empty())
+  {
+    this->Stretches[U(p)] = plan.stretch;
+  }
+  if (plan.gone >= 0)
+  {
+    this->Classes[U(plan.gone)] = Removed;
+    ++this->Done.merges;
+  }
+  return true;
+}
+
+EditRegion EditableSurface::RegionOf(Id a, Id b) const
+{
+  EditRegion region;
+  double farthest = 0;
+  double target = 0;
+  for (Id p : { a, b })
+  {
+    for (Id t : p >= 0 ? this->Star(p) : std::vector<Id>())
+    {
+      for (Id q : this->Corners(t))
+      {
+        region.writes.Add(this->Point(q));
+        farthest = std::max(farthest, Norm2(this->Point(q) - this->Point(p)));
+        target = std::max(target, this->Target(q));
+      }
+    }
+  }
+  // Wherever the point moves that is no farther than its neighbours are.
+  for (Id p : { a, b })
+  {
+    if (p >= 0)
+    {
+      Box ball;
+      ball.Add(this->Point(p));
+      ball.Grow(std::sqrt(farthest));
+      region.writes.Add(ball);
+    }
+  }
+  region.reads = region.writes;
+  constexpr double roundingOfGrid = 1e-6;
+  const double size = std::max(Norm(region.reads.low), Norm(region.reads.high));
+  region.reads.Grow((1 + shortWay) * this->Input.LeastGap(target) + roundingOfGrid * size);
+  return region;
+}
+
+void EditableSurface::RemoveTriangles(Edit& edit, const EdgeTriangles& triangles) const
+{
   edit.removed.assign(triangles.begin(), triangles.end());
   std::sort(edit.removed.begin(), edit.removed.end());
   edit.added.clear();
@@ -191,12 +247,11 @@ EditableSurface::Edit& EditableSurface::RemovalOf(const EdgeTriangles& triangles
   edit.leastQuality = 0;
   edit.centre = -1;
   edit.moved = -1;
-  return edit;
 }
 
-EditableSurface::Edit& EditableSurface::RemovalOfStars(Id p, Id q)
+void EditableSurface::RemoveStars(Edit& edit, Id p, Id q) const
 {
-  Edit& edit = this->RemovalOf({});
+  this->RemoveTriangles(edit, {});
   edit.removed = this->Star(p);
   if (q >= 0)
   {
@@ -204,7 +259,6 @@ EditableSurface::Edit& EditableSurface::RemovalOfStars(Id p, Id q)
   }
   std::sort(edit.removed.begin(), edit.removed.end());
   edit.removed.erase(std::unique(edit.removed.begin(), edit.removed.end()), edit.removed.end());
-  return edit;
 }
 
 void EditableSurface::Add(Edit& edit, const Triangle& corners, Id replaced) const
@@ -228,7 +282,8 @@ Id EditableSurface::Split(Id a, Id b)
     this->Stretches.push_back(0.5 * (Dot(s, t) < 0 ? s - t : s + t));
   }
   this->Stars.emplace_back();
-  Edit& edit = this->RemovalOf(shared);
+  Edit& edit = this->Work.edit;
+  this->RemoveTriangles(edit, shared);
   for (Id t : edit.removed)
   {
     for (Id end : { a, b })
@@ -239,10 +294,10 @@ Id EditableSurface::Split(Id a, Id b)
       edit.added.back().normal = this->Normals[U(t)];
     }
   }
-  this->Boxes.clear();
+  edit.boxes.clear();
   for (const Added& t : edit.added)
   {
-    this->Boxes.push_back(this->BoxOf(t.corners));
+    edit.boxes.push_back(this->BoxOf(t.corners));
   }
   this->PlaceSamples(edit);
   this->Commit(edit);

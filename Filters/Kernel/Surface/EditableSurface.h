@@ -5,7 +5,7 @@
 
 #include "../Base/ShortList.h"
 #include "../Mesh/VolumeCorrection.h"
-#include "InputSamples.h"
+#include "SurfaceEdit.h"
 #include "TriangleGrid.h"
 
 namespace lamina
@@ -62,15 +62,25 @@ public:
   Id ChangedAround(Id p) const;
 
   // Edits; each returns whether it was done.
+  /// What the edits at an edge, or at the point a, look at and change.
+  EditRegion RegionOf(Id a, Id b = -1) const;
   /// Bisect the edge at its middle; always safe. Returns the new point.
   Id Split(Id a, Id b);
+  /// Carry out what was planned, if it is sound.
+  bool CarryOut(const EditPlan& plan);
   /// Merge the two ends of an edge; `anyLength` allows new edges longer than the targets (to remove a bad
   /// triangle).
   bool Merge(Id a, Id b, bool anyLength = false);
+  /// The same, to be carried out later. Edits in regions that are apart may be planned at the same time in
+  /// several threads: while one is planned the point that it moves is elsewhere.
+  void PlanMerge(Id a, Id b, bool anyLength, EditPlan& plan);
   /// Swap the edge for the other diagonal of its two triangles if that betters the worse of the two.
   bool Swap(Id a, Id b);
   /// Move the point towards evenly sized triangles without a change of volume.
   bool Relax(Id p);
+  /// Whether anything around p changed since that was last tried in vain.
+  bool MayRelax(Id p) const;
+  void PlanRelax(Id p, EditPlan& plan);
   /// Move a point of a sheet anywhere near without a change of volume, or one of a curve along it, where that
   /// betters the worst of its triangles.
   bool Reshape(Id p);
@@ -103,41 +113,26 @@ private:
     AtCorner,
     Removed
   };
-  /// A triangle that an edit puts in.
-  struct Added
-  {
-    Triangle corners;
-    int sheet;
-    Vec3 before; ///< unit normal of what it replaces
-    Id hint;     ///< a triangle of the input near it, or -1
-    Vec3 normal; ///< its own unit normal
-  };
-  struct Edit
-  {
-    std::vector<Id> removed; ///< ascending
-    std::vector<Added> added;
-    double leastQuality = 0;         ///< no added triangle may be worse
-    Id centre = -1;                  ///< the corner that all added triangles share, if there is one
-    Id moved = -1;                   ///< the point that the edit moves, if there is one
-    Vec3 from;                       ///< where it was
-    std::vector<SampleOwner> owners; ///< of the input's samples on the removed triangles
-  };
+  using Edit = SurfaceEdit;
+  using Added = SurfaceEdit::Added;
 
   double Quality(const Triangle& corners) const;
   bool IsFeature(const EdgeTriangles& triangles) const;
   bool LinkAllows(Id gone, Id kept, const EdgeTriangles& shared) const;
   Vec3 MergedPlace(Id gone, Id kept, const EdgeTriangles& shared) const;
-  bool MergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place, bool anyLength);
-  /// An edit that removes the stars of p and (if not negative) q.
-  Edit& RemovalOfStars(Id p, Id q = -1);
-  Edit& RemovalOf(const EdgeTriangles& triangles);
+  void PlanMergeInto(Id gone, Id kept, const EdgeTriangles& shared, const Vec3& place, bool anyLength,
+                     EditPlan& plan);
+  /// Make an edit that removes the stars of p and (if not negative) q.
+  void RemoveStars(Edit& edit, Id p, Id q = -1) const;
+  void RemoveTriangles(Edit& edit, const EdgeTriangles& triangles) const;
   void Add(Edit& edit, const Triangle& corners, Id replaced) const;
   bool TryMove(Id p, const Vec3& place, double leastQuality);
+  void PlanMove(Id p, const Vec3& place, double leastQuality, EditPlan& plan);
+  bool RelaxingMove(Id p, Vec3& move) const;
   bool TryAround(Id p, double length, double leastQuality, bool along);
   bool TryAlongCurve(Id p, double length, double leastQuality);
   Vec3 VolumeGradient(Id p) const;
   double WorstQuality(Id p) const;
-  bool HasChanged(Id p) const;
   bool CurveNeighbours(Id p, Id& before, Id& after) const;
 
   void WriteFields(TriangleComplex& surface, const std::vector<int>& sheetOfPoint, Monitor& monitor) const;
@@ -203,10 +198,9 @@ private:
   InputSamples Samples;      ///< points of the input on the triangles nearest to them
   Id Changes = 0;
   EditCounts Done;
-  mutable std::vector<Box> Boxes; ///< of what an edit adds, kept for its memory
-  std::vector<Id> NewIds;         ///< of the triangles that an edit adds
-  Edit Work;                      ///< the edit in hand, kept for its memory
-  std::vector<Id> PairOfSheet;    ///< a triangle of the input on each sheet, for its materials and patch
+  std::vector<Id> NewIds;      ///< of the triangles that an edit adds
+  EditPlan Work;               ///< the edit in hand, kept for its memory
+  std::vector<Id> PairOfSheet; ///< a triangle of the input on each sheet, for its materials and patch
   TriangleGrid Grid;
   bool Mending = false;   ///< within Uncover
   Id Mended = -1;         ///< the point that is being uncovered

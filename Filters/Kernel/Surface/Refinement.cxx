@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refinement.h"
 
+#include "EditBatch.h"
+
 #include <algorithm>
 
 namespace lamina
@@ -124,31 +126,48 @@ void Refinement::MergeShort()
   const Id now = this->Surface.Clock();
   this->ForEdges(this->Merged, offer);
   this->Merged = now;
-  while (!queue.empty() && !this->Stopped())
+  EditBatch<RankedEdge> batch(this->Surface, this->Watch);
+  std::vector<RankedEdge> later; // too near to one that is shorter
+  while (!queue.empty() && !this->Watch.Cancelled())
   {
-    const RankedEdge edge = queue.top();
-    queue.pop();
-    if (this->Surface.TrianglesAt(edge.a, edge.b).empty() ||
-        this->Surface.RelativeLength(edge.a, edge.b) >= this->Options.mergeRatio ||
-        !this->Surface.Merge(edge.a, edge.b))
+    while (!queue.empty() && !batch.IsFull() && later.size() < batch.Most)
     {
-      continue;
-    }
-    const Id kept = this->Surface.Star(edge.a).empty() ? edge.b : edge.a;
-    std::vector<Id> ends;
-    for (Id t : this->Surface.Star(kept))
-    {
-      const Triangle& c = this->Surface.Corners(t);
-      ends.insert(ends.end(), c.begin(), c.end());
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    for (Id p : ends)
-    {
-      if (p != kept)
+      const RankedEdge edge = queue.top();
+      queue.pop();
+      if (!this->Surface.TrianglesAt(edge.a, edge.b).empty() &&
+          this->Surface.RelativeLength(edge.a, edge.b) < this->Options.mergeRatio &&
+          !batch.Offer(edge, this->Surface.RegionOf(edge.a, edge.b)))
       {
-        offer(kept, p);
+        later.push_back(edge);
       }
+    }
+    batch.Run([this](const RankedEdge& edge, EditPlan& plan)
+              { this->Surface.PlanMerge(edge.a, edge.b, false, plan); },
+              [&](const RankedEdge&, const EditPlan& plan) { this->OfferAround(plan.edit.moved, offer); });
+    for (const RankedEdge& edge : later)
+    {
+      queue.push(edge);
+    }
+    later.clear();
+  }
+}
+
+template<typename Offer>
+void Refinement::OfferAround(Id p, const Offer& offer) const
+{
+  std::vector<Id> ends;
+  for (Id t : this->Surface.Star(p))
+  {
+    const Triangle& c = this->Surface.Corners(t);
+    ends.insert(ends.end(), c.begin(), c.end());
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (Id q : ends)
+  {
+    if (q != p)
+    {
+      offer(p, q);
     }
   }
 }
@@ -179,11 +198,33 @@ void Refinement::SwapAll()
   }
 }
 
+/// Neighbours in number are neighbours in space: a batch takes its points from far apart, and the next one
+/// those after them.
 void Refinement::RelaxAll()
 {
-  for (Id p = 0; p < this->Surface.PointCount() && !this->Stopped(); ++p)
+  constexpr Id pointsPerStream = 32; // at least
+  const Id count = this->Surface.PointCount();
+  const Id streams = std::clamp<Id>(count / pointsPerStream, 1, EditBatch<Id>::Most);
+  const Id length = (count + streams - 1) / streams;
+  EditBatch<Id> batch(this->Surface, this->Watch);
+  std::vector<Id> waiting;
+  std::vector<Id> later;
+  for (Id i = 0; (i < length || !waiting.empty()) && !this->Watch.Cancelled(); ++i)
   {
-    this->Surface.Relax(p);
+    for (Id p = i; p < count && i < length; p += length)
+    {
+      waiting.push_back(p);
+    }
+    for (Id p : waiting)
+    {
+      if (this->Surface.MayRelax(p) && (batch.IsFull() || !batch.Offer(p, this->Surface.RegionOf(p))))
+      {
+        later.push_back(p);
+      }
+    }
+    batch.Run([this](Id p, EditPlan& plan) { this->Surface.PlanRelax(p, plan); }, [](Id, const EditPlan&) {});
+    waiting.swap(later);
+    later.clear();
   }
 }
 

@@ -27,7 +27,7 @@ struct Before
 };
 using EdgeQueue = std::priority_queue<RankedEdge, std::vector<RankedEdge>, Before>;
 
-/// Edits one surface in rounds, one edit at a time and in an order that depends on the surface alone.
+/// Edits one surface in rounds, in an order that depends on the surface alone.
 class Refinement
 {
 public:
@@ -49,6 +49,9 @@ private:
   void SplitLong();
   void SplitAlongPath(Id a, Id b, EdgeQueue& queue);
   void MergeShort();
+  /// Calls offer(p, q) for the points q that share a triangle with p.
+  template<typename Offer>
+  void OfferAround(Id p, const Offer& offer) const;
   void SwapAll();
   void RelaxAll();
   bool SplitBeside(Id p);
