@@ -3,6 +3,7 @@
 #pragma once
 
 #include "EditableSurface.h"
+#include "RegionList.h"
 
 #include <utility>
 
@@ -15,7 +16,7 @@ template<typename Item>
 class EditBatch
 {
 public:
-  static constexpr std::size_t Most = 32;
+  static constexpr std::size_t Most = 128;
 
   EditBatch(EditableSurface& surface, Monitor& monitor)
     : Surface(surface)
@@ -27,15 +28,11 @@ public:
   /// Takes an item unless its region is not apart from those taken before.
   bool Offer(const Item& item, const EditRegion& region)
   {
-    for (const EditRegion& other : this->Regions)
+    if (!this->Regions.Admit(region))
     {
-      if (!other.IsApartFrom(region))
-      {
-        return false;
-      }
+      return false;
     }
     this->Items.push_back(item);
-    this->Regions.push_back(region);
     return true;
   }
   /// Calls plan(item, editPlan) in threads, then carries out the sound ones and calls done(item, editPlan)
@@ -65,14 +62,14 @@ public:
       }
     }
     this->Items.clear();
-    this->Regions.clear();
+    this->Regions.Clear();
   }
 
 private:
   EditableSurface& Surface;
   Monitor& Watch;
   std::vector<Item> Items;
-  std::vector<EditRegion> Regions;
+  RegionList Regions;
   std::vector<EditPlan> Plans; ///< kept for their memory
 };
 

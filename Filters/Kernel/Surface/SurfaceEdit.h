@@ -40,17 +40,11 @@ struct EditPlan
   Id gone = -1;      ///< a point that is merged into it, or -1
 };
 
-/// What an edit may look at and change. Two edits do not hinder each other, and may be looked at at the same
-/// time, if neither reads what the other writes.
+/// What an edit may look at and change.
 struct EditRegion
 {
   Box writes;
   Box reads;
-
-  bool IsApartFrom(const EditRegion& other) const
-  {
-    return !this->reads.Overlaps(other.writes) && !other.reads.Overlaps(this->writes);
-  }
 };
 
 } // namespace lamina
