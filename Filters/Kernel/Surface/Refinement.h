@@ -35,12 +35,13 @@ struct Uncovering
   double gain = 0.04;    ///< share of what blocks the sight that an edit must take away
   double shortest = 0.9; ///< edges shorter than this, in their target, are not split
   int mostSplits = 0;    ///< at a node, where nothing else helps: shorter edges can bend further
-  bool onlyLeft = false; ///< look only at what was left the last time
+  /// Work only on what was left the last time, and split no more at a node whose last split did not help.
+  bool onlyLeft = false;
 };
 /// Before the rounds, after them, and for the few that then are hidden still: there edges may get short.
 constexpr Uncovering uncoverFirst{};
 constexpr Uncovering uncoverLast{ 0.5, 0.41, 0.04, 0.9, 4 };
-constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.5, 12, true };
+constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true };
 
 /// Edits one surface in rounds, one edit at a time and in an order that depends on the surface alone.
 class Refinement

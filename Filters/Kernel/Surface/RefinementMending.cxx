@@ -13,8 +13,10 @@ namespace lamina
 void Refinement::UncoverNodes(const Uncovering& how)
 {
   constexpr int mostRounds = 40;
+  constexpr double helped = 0.005;
   std::map<Id, Id> triedAt; // the clock when a node could not be made better
   std::map<Id, int> splits; // of edges at a node
+  std::map<Id, double> sightAtSplit;
   std::vector<Id>& candidates = this->LeftHidden;
   if (!how.onlyLeft)
   {
@@ -50,10 +52,12 @@ void Refinement::UncoverNodes(const Uncovering& how)
         ++done;
       }
       better = better || done > 0;
-      if (done < 4 && splits[p] < how.mostSplits && this->Surface.Visibility(p) < how.enough &&
-          this->SplitBeside(p, how.shortest))
+      const double sight = done < 4 && splits[p] < how.mostSplits ? this->Surface.Visibility(p) : 1;
+      const bool inVainBefore = how.onlyLeft && splits[p] > 0 && sight < sightAtSplit[p] + helped;
+      if (sight < how.enough && !inVainBefore && this->SplitBeside(p, how.shortest))
       {
         ++splits[p];
+        sightAtSplit[p] = sight;
         better = true;
       }
       else if (done < 4)
