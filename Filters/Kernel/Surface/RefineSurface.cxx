@@ -143,7 +143,11 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   refinement.MendShapes();
   refinement.UncoverNodes(uncoverLast);
   refinement.MendShapes();
-  refinement.UncoverNodes(uncoverStubborn);
+  constexpr int stubbornPasses = 3; // what one has moved may free another
+  for (int pass = 0; pass < stubbornPasses; ++pass)
+  {
+    refinement.UncoverNodes(uncoverStubborn);
+  }
   if (monitor.Cancelled())
   {
     return Cancelled();
