@@ -13,18 +13,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <set>
 
 namespace lamina::measures
 {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-
-inline const Vec3& At(const TriangleComplex& s, Id p)
-{
-  return s.points[static_cast<std::size_t>(p)];
-}
 
 struct Farthest
 {
@@ -53,6 +47,7 @@ struct RefinementFigures
   Id hidden = 0; ///< nodes without a direction
   Nearness nearBefore;
   Nearness nearAfter;
+  Id narrowed = 0; ///< pairs of triangles nearer than the sheets may come
 };
 
 /// How many equilateral triangles of the targets cover the surface.
@@ -164,40 +159,6 @@ inline void MeasureQuality(const TriangleComplex& s, bool verbose, RefinementFig
   std::printf("  quality: %.4f %% >= 0.4 (%lld below), %lld below 0.3, least %.3f, %lld exempt\n",
               100 * figures.goodTriangles, poor, bad, least, excused);
 }
-
-/// Trees of the sheets between the same materials and of the same patch.
-class Sheets
-{
-public:
-  using Key = std::array<int, 3>;
-  explicit Sheets(const TriangleComplex& s)
-    : Surface(s)
-  {
-    std::map<Key, std::vector<Id>> members;
-    for (std::size_t t = 0; t < s.triangles.size(); ++t)
-    {
-      members[this->KeyOf(t)].push_back(static_cast<Id>(t));
-    }
-    for (auto& m : members)
-    {
-      this->Trees[m.first] = std::make_unique<TriangleTree>(s.points, s.triangles, m.second);
-    }
-  }
-  Key KeyOf(std::size_t t) const
-  {
-    return { { this->Surface.materials[t].first, this->Surface.materials[t].second,
-               this->Surface.Patch(static_cast<Id>(t)) } };
-  }
-  const TriangleTree* Tree(const Key& key) const
-  {
-    const auto found = this->Trees.find(key);
-    return found == this->Trees.end() ? nullptr : found->second.get();
-  }
-
-private:
-  const TriangleComplex& Surface;
-  std::map<Key, std::unique_ptr<TriangleTree>> Trees;
-};
 
 /// How far samples of `from` lie from the same sheets of `to`, against `tolerance` at triangle and weights of
 /// the input, which is `to` or `from`.
@@ -416,6 +377,7 @@ inline RefinementFigures Measure(const TriangleComplex& before, const TriangleCo
     "  sheets: least distance %.3f -> %.3f %s, below a quarter at %lld -> %lld points; least angle %.1f -> "
     "%.1f degrees\n",
     was.gap, is.gap, voxel > 0 ? "voxels" : "targets", was.near, is.near, was.angle, is.angle);
+  figures.narrowed = CountNarrowed(before, after, voxel, monitor);
   std::fflush(stdout);
   return figures;
 }

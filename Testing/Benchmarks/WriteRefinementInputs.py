@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Examples"))
 from lamina_images import read_image  # noqa: E402
 from lamina_pipeline import Pipeline, load_plugin, read_mask, simple  # noqa: E402
-from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 
 
 def save_labels(path, image, part=None):
@@ -58,15 +58,25 @@ def tooth(pipeline, data):
     return pipeline.segment(image, None, SimpleNamespace(thresholds=[520, 950], open_border=[]))
 
 
+def spheres(_pipeline, data):
+    """Each voxel takes the number of the highest of four fields."""
+    images = [read_image(os.path.join(data, "cleaver_tests", f"spheres{i}.nrrd")) for i in (1, 2, 3, 4)]
+    fields = [vtk_to_numpy(i.GetPointData().GetScalars()) for i in images]
+    labels = numpy_to_vtk(1 + np.argmax(fields, axis=0).astype(np.int32), deep=True)
+    labels.SetName("MaterialIds")
+    images[0].GetPointData().AddArray(labels)
+    return images[0]
+
+
 def image(*path):
     return lambda _pipeline, data: read_image(os.path.join(data, *path))
 
 
 THORAX = slice(5, 95), slice(160, 330), slice(35, 135)
 LABELS = {"phantom60": phantom(60), "phantom120": phantom(120), "heart_cta": scan, "tooth": tooth,
-          "mickey": image("cleaver_tests", "mickey.nrrd"), "digimouse": image("digimouse", "labels.mha"),
-          "thorax": image("digimouse", "labels.mha"), "frog": image("frogtissue", "frogtissue.mhd"),
-          "aorta_labels": image("vmtk_aorta", "aorta-otsu4-labels.mha")}
+          "mickey": image("cleaver_tests", "mickey.nrrd"), "spheres": spheres,
+          "digimouse": image("digimouse", "labels.mha"), "thorax": image("digimouse", "labels.mha"),
+          "frog": image("frogtissue", "frogtissue.mhd"), "aorta_labels": image("vmtk_aorta", "aorta-otsu4-labels.mha")}
 SURFACES = {"biv_heart": "biv_heart_surface", "vmtk_aorta": "vmtk_aorta"}
 
 

@@ -119,6 +119,7 @@ TEST(EditGaps, CoarseEdgesAndAWideToleranceLeaveTheSheetsApart)
       const auto was = measures::MeasureNearness(before, unit, monitor);
       const auto is = measures::MeasureNearness(surface, unit, monitor);
       EXPECT_TRUE(measures::StayApart(was, is)) << distance << ": " << was.gap << " -> " << is.gap;
+      EXPECT_EQ(measures::CountNarrowed(before, surface, unit, monitor), 0);
       EXPECT_TRUE(measures::StayOpen(was, is)) << was.angle << " -> " << is.angle;
       EXPECT_NE(surface.triangles.size(), before.triangles.size());
     }
@@ -148,6 +149,7 @@ TEST(EditGaps, NothingElseWouldKeepTheSheetsApart)
     edited.Write(refined, monitor);
     const auto is = measures::MeasureNearness(refined, 1, monitor);
     EXPECT_EQ(measures::StayApart(was, is), keepGaps) << was.gap << " -> " << is.gap;
+    EXPECT_EQ(measures::CountNarrowed(surface, refined, 1, monitor) == 0, keepGaps);
   }
 }
 

@@ -270,16 +270,16 @@ TEST(EditableSurface, UncoveringBettersTheSightAndOnlyThere)
   Bench bench(spiky, 0.6);
   const double before = bench.edited.Visibility(0);
   ASSERT_LT(before, 0.4);
-  for (int i = 0; i < 50 && bench.edited.Uncover(0); ++i)
+  for (int i = 0; i < 50 && bench.edited.Uncover(0, 0.04); ++i)
   {
   }
   EXPECT_GT(bench.edited.Star(0).empty() ? 1 : bench.edited.Visibility(0), 0.45);
   Bench smooth(RoughSphere(), 0.6);
   const Id clock = smooth.edited.Clock();
-  EXPECT_FALSE(smooth.edited.Uncover(0)); // sees all of them already
+  EXPECT_FALSE(smooth.edited.Uncover(0, 0.04)); // sees all of them already
   EXPECT_EQ(smooth.edited.Clock(), clock);
   Bench narrow(spiky, 1e-6);
-  EXPECT_FALSE(narrow.edited.Uncover(0)); // the tolerance holds it
+  EXPECT_FALSE(narrow.edited.Uncover(0, 0.04)); // the tolerance holds it
 }
 
 TEST(EditableSurface, ReshapingBettersTheWorstTriangleOfASheetsPoint)

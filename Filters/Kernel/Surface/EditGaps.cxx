@@ -7,18 +7,9 @@
 #include "FacingPairs.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lamina
 {
-
-namespace
-{
-
-constexpr double leastFold = 10; ///< degrees between triangles that share an edge
-constexpr double degree = 3.141592653589793 / 180;
-
-} // namespace
 
 /// The triangles, which share no corner, do not face each other too near.
 bool EditableSurface::StaysApart(const Added& added, Id other, double leastGap) const
@@ -121,7 +112,7 @@ bool EditableSurface::OpensWide(const Edit& edit, bool allVisible) const
     return cosine;
   };
   const double now = greatest(added, [&](Id p) { return this->Point(p); });
-  return now <= std::cos(leastFold * degree) ||
+  return now <= foldCosine ||
          now <= greatest(removed, [&](Id p) { return p == edit.moved ? edit.from : this->Point(p); });
 }
 

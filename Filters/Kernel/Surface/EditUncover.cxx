@@ -8,14 +8,7 @@
 namespace lamina
 {
 
-namespace
-{
-
-constexpr double leastGain = 0.96; ///< what an edit that uncovers may at most leave of what blocks the sight
-
-} // namespace
-
-bool EditableSurface::Uncover(Id p)
+bool EditableSurface::Uncover(Id p, double gain)
 {
   double blocked = 0;
   if (this->Star(p).empty() || this->Visibility(p, nullptr, &blocked) >= goodSight)
@@ -24,7 +17,7 @@ bool EditableSurface::Uncover(Id p)
   }
   this->Mending = true;
   this->Mended = p;
-  this->MostBlocked = leastGain * blocked;
+  this->MostBlocked = (1 - gain) * blocked;
   const bool done =
     this->UncoverByMove(p) || this->UncoverByMerge(p) || this->UncoverBySwap(p) || this->UncoverBySearch(p);
   this->Mending = false;

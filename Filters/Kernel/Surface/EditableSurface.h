@@ -89,8 +89,8 @@ public:
   bool SplitFlat(Id triangle);
 
   /// Where no direction sees all faces of p well (cosine below 0.5), one edit that betters this: a move,
-  /// merge or swap. Here faces may turn.
-  bool Uncover(Id p);
+  /// merge or swap. Here faces may turn. `gain`: the share of what blocks the sight that it must take away.
+  bool Uncover(Id p, double gain);
   /// How well the best direction into the worst material at p sees the faces there: a cosine.
   double Visibility(Id p) const { return this->Visibility(p, nullptr); }
 

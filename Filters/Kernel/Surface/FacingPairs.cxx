@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FacingPairs.h"
 
+#include "../Mesh/EdgeAngles.h"
 #include "../Search/Clearance.h"
 #include "../Search/Facing.h"
 #include "EditCorners.h"
@@ -18,6 +19,9 @@ namespace
 /// nobody asks about.
 constexpr double facingCosine = 0.5;
 constexpr double facingTangent2 = 3;
+/// Over the distance: a way that still joins two places, by what is promised (shortWay), when edits elsewhere
+/// have made it longer.
+constexpr double shorterWay = 4;
 constexpr double rounding = 1e-9;
 /// Of the gaps that edits leave, and of what lay between the places in the input, what corrections may leave.
 constexpr double keptGap = 0.97;
@@ -48,6 +52,19 @@ bool MayFace(const Places& own, const Vec3& normal, const Places& theirs)
   return true;
 }
 
+std::vector<Id> Marked(const std::vector<char>& marks)
+{
+  std::vector<Id> marked;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      marked.push_back(static_cast<Id>(i));
+    }
+  }
+  return marked;
+}
+
 } // namespace
 
 bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, const InputSurface& input,
@@ -66,7 +83,7 @@ bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, co
     return gap >= leastGap || std::abs(own) < facingCosine * gap || std::abs(other) < facingCosine * gap ||
            MaterialTowards(s.pair, -own) != MaterialTowards(t.pair, other) ||
            gap >= (1 - rounding) * share * Norm(input.Origin(s.sheet, from) - input.Origin(t.sheet, to)) ||
-           isJoined(from, to, shortWay * gap);
+           isJoined(from, to, shorterWay * gap);
   };
   return AllOfConnections(s.corners, t.corners, isWide);
 }
@@ -130,15 +147,45 @@ std::vector<Id> FindNarrow(const TriangleComplex& surface, const Lists& star, co
                   look(t);
                 }
               });
-  std::vector<Id> narrow;
-  for (std::size_t t = 0; t < isNarrow.size(); ++t)
+  return Marked(isNarrow);
+}
+
+std::vector<Id> FindFolds(const TriangleComplex& surface, const std::vector<Vec3>& before,
+                          const EdgeTable& edges, Monitor& monitor)
+{
+  std::vector<char> isFolded(edges.edges.size(), 0);
+  const auto look = [&](Id e)
   {
-    if (isNarrow[t])
+    const Edge& edge = edges.edges[U(e)];
+    const ListRow row = Row(edges.triangles, e);
+    for (const Id* s = row.first; s != row.last; ++s)
     {
-      narrow.push_back(static_cast<Id>(t));
+      for (const Id* t = s + 1; t != row.last; ++t)
+      {
+        const double now = CosineAtEdge(surface.points, surface.triangles, edge, *s, *t);
+        isFolded[U(e)] =
+          isFolded[U(e)] ||
+          (now > foldCosine && now > rounding + CosineAtEdge(before, surface.triangles, edge, *s, *t));
+      }
     }
+  };
+  monitor.For(static_cast<Id>(isFolded.size()), 4096,
+              [&](Id begin, Id end)
+              {
+                for (Id e = begin; e < end; ++e)
+                {
+                  look(e);
+                }
+              });
+  std::vector<Id> folded;
+  for (const Id e : Marked(isFolded))
+  {
+    const ListRow row = Row(edges.triangles, e);
+    folded.insert(folded.end(), row.begin(), row.end());
   }
-  return narrow;
+  std::sort(folded.begin(), folded.end());
+  folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
+  return folded;
 }
 
 } // namespace lamina

@@ -10,6 +10,10 @@
 namespace lamina
 {
 
+/// The least cosine of angles that edits and corrections must not make between triangles that share an edge:
+/// of 10 degrees.
+constexpr double foldCosine = 0.98480775301220806;
+
 struct Facet
 {
   std::array<Vec3, 3> corners;
@@ -31,5 +35,10 @@ bool StayApart(const Facet& s, const Facet& t, double leastGap, double share, co
 /// the input; `star`: the triangles of its points.
 std::vector<Id> FindNarrow(const TriangleComplex& surface, const Lists& star, const SheetGraph& sheets,
                            const InputSurface& input, Monitor& monitor);
+
+/// The triangles, ascending, that stand at such an angle to another and stood wider where the points were
+/// `before`.
+std::vector<Id> FindFolds(const TriangleComplex& surface, const std::vector<Vec3>& before,
+                          const EdgeTable& edges, Monitor& monitor);
 
 } // namespace lamina

@@ -131,7 +131,7 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   const std::vector<double> targets = ShellVolumes(surface, input.Sheets());
   EditableSurface editable(input, options.mergeRatio, options.splitRatio);
   Refinement refinement(editable, options, monitor);
-  refinement.UncoverNodes(false);
+  refinement.UncoverNodes(uncoverFirst);
   for (int i = 0; i < options.iterations; ++i)
   {
     monitor.Progress(static_cast<double>(i) / (options.iterations + 1), "refining");
@@ -141,8 +141,13 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
     }
   }
   refinement.MendShapes();
-  refinement.UncoverNodes(true);
+  refinement.UncoverNodes(uncoverLast);
   refinement.MendShapes();
+  constexpr int stubbornPasses = 3; // what one has moved may free another
+  for (int pass = 0; pass < stubbornPasses; ++pass)
+  {
+    refinement.UncoverNodes(uncoverStubborn);
+  }
   if (monitor.Cancelled())
   {
     return Cancelled();

@@ -21,7 +21,8 @@ namespace
 constexpr double safeReach = 0.2;  ///< what edits leave
 constexpr double widestReach = 1;  ///< in shells that need more: not every place is at its limit
 constexpr double leastReach = 0.1; ///< less than this is not worth another round
-constexpr int mostRounds = 12;
+constexpr int gentleRounds = 8;    ///< that halve the reach at faults; later ones hold what is there
+constexpr int mostRounds = 24;
 constexpr double held = 1e-9;       ///< of a volume
 constexpr double goodQuality = 0.4; ///< of a triangle; a worse one may lose a little
 constexpr double keptQuality = 0.95;
@@ -37,6 +38,7 @@ public:
     , Input(input)
     , Watch(monitor)
     , Star(TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles))
+    , Edges(MakeEdgeTable(surface.triangles))
     , Start(surface.points)
     , Hidden(HiddenFlags(surface, Star, monitor))
     , Far(surface, sheets, input)
@@ -60,7 +62,7 @@ public:
       {
         return;
       }
-      this->Shorten(faults);
+      this->Shorten(faults, round < gentleRounds ? 0.5 : 0);
     }
     this->Surface.points = this->Start; // better an error of volume, which the report tells, than a fault
   }
@@ -170,6 +172,8 @@ private:
     const std::vector<Id> narrow =
       FindNarrow(this->Surface, this->Star, this->Sheets, this->Input, this->Watch);
     faults.insert(faults.end(), narrow.begin(), narrow.end());
+    const std::vector<Id> folds = FindFolds(this->Surface, this->Start, this->Edges, this->Watch);
+    faults.insert(faults.end(), folds.begin(), folds.end());
     for (const auto& pair : FindIntersections(this->Surface.points, this->Surface.triangles, this->Watch))
     {
       faults.insert(faults.end(), pair.begin(), pair.end());
@@ -208,8 +212,8 @@ private:
                            points[static_cast<std::size_t>(c[2])]);
   }
 
-  /// Points around faults may go half as far, in the end nowhere.
-  void Shorten(const std::vector<Id>& faults)
+  /// Points around faults may go a share as far, in the end nowhere.
+  void Shorten(const std::vector<Id>& faults, double share)
   {
     std::vector<char> isNear(this->Start.size(), 0);
     for (Id t : faults)
@@ -224,8 +228,8 @@ private:
       if (isNear[p])
       {
         const double moved = Norm(this->Surface.points[p] - this->Start[p]);
-        const double half = 0.5 * std::min(this->Reach[p], moved);
-        this->Reach[p] = half < leastReach * this->Tolerance[p] ? 0 : half;
+        const double reach = share * std::min(this->Reach[p], moved);
+        this->Reach[p] = reach < leastReach * this->Tolerance[p] ? 0 : reach;
       }
     }
   }
@@ -236,6 +240,7 @@ private:
   const InputSurface& Input;
   Monitor& Watch;
   Lists Star;
+  EdgeTable Edges;
   std::vector<Vec3> Start;
   std::vector<char> Hidden; ///< points that were so before any move
   FarPlaces Far;

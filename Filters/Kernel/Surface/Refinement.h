@@ -27,6 +27,22 @@ struct Before
 };
 using EdgeQueue = std::priority_queue<RankedEdge, std::vector<RankedEdge>, Before>;
 
+/// How hidden nodes are uncovered.
+struct Uncovering
+{
+  double from = 0.5;     ///< nodes whose faces are seen worse than this are worked on at first
+  double enough = 0.41;  ///< and then until all see this well
+  double gain = 0.04;    ///< share of what blocks the sight that an edit must take away
+  double shortest = 0.9; ///< edges shorter than this, in their target, are not split
+  int mostSplits = 0;    ///< at a node, where nothing else helps: shorter edges can bend further
+  /// Work only on what was left the last time, and split no more at a node whose last split did not help.
+  bool onlyLeft = false;
+};
+/// Before the rounds, after them, and for the few that then are hidden still: there edges may get short.
+constexpr Uncovering uncoverFirst{};
+constexpr Uncovering uncoverLast{ 0.5, 0.41, 0.04, 0.9, 4 };
+constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true };
+
 /// Edits one surface in rounds, in an order that depends on the surface alone.
 class Refinement
 {
@@ -39,8 +55,7 @@ public:
   }
   bool Iterate();
   void MendShapes();
-  /// `maySplit`: where nothing else helps, make the edges at a hidden node shorter.
-  void UncoverNodes(bool maySplit);
+  void UncoverNodes(const Uncovering& how);
 
 private:
   /// Visits each edge with a triangle that has changed since the clock stood at `since`, once.
@@ -54,7 +69,7 @@ private:
   void OfferAround(Id p, const Offer& offer) const;
   void SwapAll();
   void RelaxAll();
-  bool SplitBeside(Id p);
+  bool SplitBeside(Id p, double shortest);
   /// Give the surface an order of space again once it has grown.
   void KeepOrder();
   bool Stopped() { return ++this->Ticks % 4096 == 0 && this->Watch.Cancelled(); }
@@ -63,7 +78,8 @@ private:
   const RefineSurfaceOptions& Options;
   Monitor& Watch;
   Id Ticks = 0;
-  Id Ordered = 0; ///< triangles when the surface was last put in order
+  std::vector<Id> LeftHidden; ///< nodes that UncoverNodes worked on to the end
+  Id Ordered = 0;             ///< triangles when the surface was last put in order
   // The clock of the surface when all edges were last looked at.
   Id Merged = -1;
   Id Split = -1;

@@ -4,23 +4,24 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace lamina
 {
 
 /// Nodes whose faces no direction sees well: nothing good can grow there.
-void Refinement::UncoverNodes(bool maySplit)
+void Refinement::UncoverNodes(const Uncovering& how)
 {
-  constexpr double goal = 0.5;
-  constexpr double enough = 0.41;
   constexpr int mostRounds = 40;
-  constexpr int mostSplits = 4;
+  constexpr double helped = 0.005;
   std::map<Id, Id> triedAt; // the clock when a node could not be made better
   std::map<Id, int> splits; // of edges at a node
-  std::vector<Id> candidates;
-  for (Id p = 0; p < this->Surface.PointCount(); ++p)
+  std::map<Id, double> sightAtSplit;
+  std::vector<Id>& candidates = this->LeftHidden;
+  if (!how.onlyLeft)
   {
-    candidates.push_back(p);
+    candidates.resize(static_cast<std::size_t>(this->Surface.PointCount()));
+    std::iota(candidates.begin(), candidates.end(), Id{ 0 });
   }
   for (int round = 0; round < mostRounds && !candidates.empty() && !this->Watch.Cancelled(); ++round)
   {
@@ -28,7 +29,7 @@ void Refinement::UncoverNodes(bool maySplit)
     for (Id p : candidates)
     {
       const double sight = this->Surface.Star(p).empty() ? 1 : this->Surface.Visibility(p);
-      if (sight < (round == 0 ? goal : enough))
+      if (sight < (round == 0 ? how.from : how.enough))
       {
         hidden.push_back({ sight, p });
       }
@@ -46,15 +47,17 @@ void Refinement::UncoverNodes(bool maySplit)
         continue;
       }
       int done = 0;
-      while (done < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(p))
+      while (done < 4 && !this->Watch.Cancelled() && this->Surface.Uncover(p, how.gain))
       {
         ++done;
       }
       better = better || done > 0;
-      if (done < 4 && maySplit && this->Surface.Visibility(p) < enough && splits[p] < mostSplits &&
-          this->SplitBeside(p))
+      const double sight = done < 4 && splits[p] < how.mostSplits ? this->Surface.Visibility(p) : 1;
+      const bool inVainBefore = how.onlyLeft && splits[p] > 0 && sight < sightAtSplit[p] + helped;
+      if (sight < how.enough && !inVainBefore && this->SplitBeside(p, how.shortest))
       {
-        ++splits[p]; // shorter edges can bend further within the tolerance
+        ++splits[p];
+        sightAtSplit[p] = sight;
         better = true;
       }
       else if (done < 4)
@@ -70,9 +73,9 @@ void Refinement::UncoverNodes(bool maySplit)
 }
 
 /// Splits the relatively longest edge at p that stays long enough, if there is one.
-bool Refinement::SplitBeside(Id p)
+bool Refinement::SplitBeside(Id p, double shortest)
 {
-  double longest = 0.9;
+  double longest = shortest;
   Id end = -1;
   for (Id t : this->Surface.Star(p))
   {
