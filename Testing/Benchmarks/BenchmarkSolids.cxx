@@ -2,9 +2,9 @@
 // Layered Tetrahedra, and TetGen alone on the same closed surfaces with the same mean tet, in one run:
 // BenchmarkSolids FILE SOLIDS program=PATH [NAME=VALUE]...
 //
-// FILE, SOLIDS and NAME as for MeasureSolids; program: lamina-tetgen, which both use. TetGen gets the shape
-// that Core Tetrahedra asks for and a largest volume; half as much again as the mean of our tets makes about
-// as many.
+// FILE, SOLIDS and NAME as for MeasureSolids, and refined=1 for a surface that is; program: lamina-tetgen,
+// which both use. TetGen gets the shape that Core Tetrahedra asks for and a largest volume; half as much
+// again as the mean of our tets makes about as many.
 #include "Geometry/Quality.h"
 #include "SizedSurfaces.h"
 #include "Surface/RefineSurface.h"
@@ -161,7 +161,10 @@ int main(int argc, char** argv)
   }
   double voxel = 0;
   TriangleComplex surface = measures::Sized(argv[1], arguments, voxel, monitor);
-  measures::Demand(RefineSurface(surface, {}, monitor), "refine");
+  if (arguments.Get("refined", 0) == 0)
+  {
+    measures::Demand(RefineSurface(surface, {}, monitor), "refine");
+  }
   options.layers = static_cast<int>(arguments.Get("layers", options.layers));
   options.anisotropy = arguments.Get("anisotropy", options.anisotropy);
   options.growth = arguments.Get("growth", options.growth);
