@@ -308,7 +308,7 @@ TEST(Columns, ThinLayersOfTetsStand)
   for (unsigned seed = 0; seed < 5; ++seed)
   {
     Wall wall = BumpyBall(0.05, seed);
-    wall.thickness.assign(wall.points.size(), 0.07);
+    wall.thickness.assign(wall.points.size(), 0.15);
     ColumnOptions options;
     options.layers = 2;
     options.share = 1.0 / 3;
@@ -316,5 +316,8 @@ TEST(Columns, ThinLayersOfTetsStand)
     const Columns columns = Grow(wall, options);
     ExpectSound(wall, columns, ColumnCells::Tets);
     EXPECT_EQ(CountStopped(columns), 0) << seed;
+    // Of a twentieth, no tet of a layer would be above 0.1.
+    wall.thickness.assign(wall.points.size(), 0.07);
+    EXPECT_EQ(CountStopped(Grow(wall, options)), static_cast<Id>(wall.points.size())) << seed;
   }
 }

@@ -128,6 +128,40 @@ TEST(ImproveStuck, GoesOnWhereSingleOperationsStop)
   EXPECT_EQ(again.points, set.points);
 }
 
+TEST(ImproveStuck, PointsStayInTheirLayersOrBelongToNone)
+{
+  // Free points of layers so far from each other and from the rest that no edge may be made to them.
+  ThreadMonitor monitor;
+  TetSet start = HalfFixed();
+  start.layerIndex.assign(start.points.size(), 0);
+  for (std::size_t p = 0; p < start.points.size(); ++p)
+  {
+    start.layerIndex[p] = start.fixed[p] == 0 ? 2 * static_cast<int>(p) : 0;
+  }
+  ImproveTetsOptions plain;
+  plain.layersBelow = 0;
+  ImproveTets(start, plain, monitor);
+  const double before = LeastShape(start);
+  double least = 0;
+  const auto volumes = Volumes(start, least);
+  ImproveStuckOptions options;
+  options.gate = before + 0.05;
+  TetSet set = start;
+  EXPECT_GT(ImproveStuck(set, options, monitor).bettered, 0);
+  EXPECT_GT(LeastShape(set), before);
+  const auto now = Volumes(set, least);
+  EXPECT_NEAR(now[0], volumes[0], 1e-9);
+  EXPECT_NEAR(now[1], volumes[1], 1e-9);
+  EXPECT_EQ(Walls(set), Walls(start));
+  ASSERT_EQ(set.layerIndex.size(), set.points.size());
+  for (std::size_t p = 0; p < set.points.size(); ++p)
+  {
+    const bool isNew = p >= start.points.size();
+    const bool isIn = !isNew && set.layerIndex[p] == start.layerIndex[p];
+    EXPECT_TRUE(isIn || (set.layerIndex[p] == -1 && set.fixed[p] == 0)) << p;
+  }
+}
+
 TEST(ImproveStuck, CancelLeavesASoundMesh)
 {
   ThreadMonitor monitor;

@@ -134,3 +134,25 @@ TEST(LayerPromise, NoTetSpansThreeLayersWhereColumnsStop)
   Send(surface, 8, sized->minimum, sized->maximum, 2000, &report);
   EXPECT_GT(report.stoppedColumns, 0);
 }
+
+TEST(LayerPromise, WallsNearTheImagesBorder)
+{
+  // Material 2 comes within a voxel of three of the image's planes. These are no walls: layers of material 1
+  // have that voxel's room, though it is thick elsewhere.
+  const auto image =
+    images::Make({ { 16, 16, 16 } },
+                 [](Id i, Id j, Id k)
+                 {
+                   const bool isInside = std::min({ i, j, k }) >= 1 && std::max({ i, j, k }) <= 11;
+                   return isInside ? 2 : (i * i + j * j + k * k < 340 ? 1 : 0);
+                 });
+  TriangleComplex surface;
+  const auto sized = Refine(image, {}, surface);
+  ASSERT_TRUE(sized);
+  LayersReport report;
+  const auto rays = Send(surface, 6, sized->minimum, sized->maximum, 5000, &report);
+  EXPECT_GT(report.leastQuality, 0.15);
+  EXPECT_GT(report.stoppedColumns, 0);
+  EXPECT_LT(report.stoppedColumns, report.columns / 10);
+  EXPECT_EQ(rays.whole + rays.flagged, rays.rays);
+}

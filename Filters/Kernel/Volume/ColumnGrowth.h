@@ -53,6 +53,7 @@ private:
   void SetHeights();
   void SetHeight(Id v, double thickness);
   double TallestColumn(Id v) const;
+  double LeastColumn(Id v) const;
   double RoomBeforeCaps(Id v) const;
   bool IsFollowedWell(Id triangle) const;
   void LowerLargePrisms();

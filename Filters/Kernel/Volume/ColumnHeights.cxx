@@ -16,12 +16,12 @@ namespace lamina
 namespace
 {
 
-constexpr double slopeOfHeight = 0.5;  ///< largest change of column height over length along the wall
-constexpr double thinnestLayer = 0.05; ///< of a tet's layer over its wall edge: thinner ones are bad tets
-constexpr double largestShare = 0.45;  ///< of the thickness, where a length is asked for
-constexpr double tallestPrism = 0.3;   ///< of the last layer over its wall edge
-constexpr double largestPrism = 1.05;  ///< of the last layer, over a regular tet on the front
-constexpr double lowering = 0.96;      ///< of columns at a time, until their prisms are no larger
+constexpr double slopeOfHeight = 0.5;   ///< largest change of column height over length along the wall
+constexpr double thinnestLayer = 0.075; ///< of a tet's layer over its wall edge: thinner ones are bad tets
+constexpr double largestShare = 0.45;   ///< of the thickness, where a length is asked for
+constexpr double tallestPrism = 0.3;    ///< of the last layer over its wall edge
+constexpr double largestPrism = 1.05;   ///< of the last layer, over a regular tet on the front
+constexpr double lowering = 0.96;       ///< of columns at a time, until their prisms are no larger
 constexpr int MostLowerings = 60;
 constexpr double thinnestColumn = 1e-4; ///< of a column of prisms over its wall edge
 
@@ -131,7 +131,15 @@ void ColumnGrowth::SetHeight(Id v, double thickness)
   }
   const double byShare = std::min(this->Options.share * thickness, this->TallestColumn(v));
   this->C.wanted[U(v)] = fixed > 0 ? fixed : byShare;
-  this->C.height[U(v)] = fixed > 0 ? std::min(fixed, largestShare * thickness) : byShare;
+  const double height = fixed > 0 ? std::min(fixed, largestShare * thickness) : byShare;
+  this->C.height[U(v)] = height < this->LeastColumn(v) ? 0 : height;
+}
+
+/// Lower columns stop.
+double ColumnGrowth::LeastColumn(Id v) const
+{
+  const bool tets = this->Options.cells == ColumnCells::Tets;
+  return (tets ? thinnestLayer * this->C.layers : thinnestColumn) * this->WallEdge(v);
 }
 
 /// The share of the thickness, at most what the ray along the column itself finds.
@@ -239,9 +247,7 @@ void ColumnGrowth::Shrink(Id v, double factor)
     return;
   }
   h *= factor;
-  const bool tets = this->Options.cells == ColumnCells::Tets;
-  const double least = tets ? thinnestLayer * this->C.layers : thinnestColumn;
-  if (h < least * this->WallEdge(v))
+  if (h < this->LeastColumn(v))
   {
     this->Stop(v);
     return;

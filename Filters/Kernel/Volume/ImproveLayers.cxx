@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImproveLayers.h"
 
+#include "ImproveStuck.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -13,6 +15,10 @@ namespace
 {
 
 using Tet = std::array<Id, 4>;
+
+constexpr double ModestTarget = 0.17;
+constexpr double StuckGate = 0.12; ///< tets of a lower shape may cost layers
+constexpr double StuckTarget = 0.14;
 
 std::size_t U(Id i)
 {
@@ -142,6 +148,25 @@ int LayerOf(const TetSet& set, const Tet& tet, int columnLayers)
   return isCore || (isFlat && highest == columnLayers) ? 0 : std::max(1, highest);
 }
 
+/// What is still poor is worked on by force, at the cost of layers at last.
+void WorkOnStuck(TetSet& set, ImproveTetsReport& report, Monitor& monitor)
+{
+  const std::vector<int> before = set.layerIndex;
+  ImproveStuckOptions options;
+  options.gate = StuckGate;
+  options.target = StuckTarget;
+  options.rings = { 2, 3 };
+  options.rounds = 12;
+  ImproveStuck(set, options, monitor);
+  for (std::size_t p = 0; p < before.size(); ++p)
+  {
+    if (before[p] >= 0 && set.layerIndex[p] < 0)
+    {
+      report.takenFromLayers.push_back(static_cast<Id>(p));
+    }
+  }
+}
+
 } // namespace
 
 ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int columnLayers, Monitor& monitor)
@@ -149,12 +174,16 @@ ImproveTetsReport ImproveLayers(VolumeMesh& mesh, std::size_t firstCell, int col
   std::vector<Id> global;
   TetSet set = Gather(mesh, firstCell, global);
   SplitWideEdges(set);
-  ImproveTetsReport report = ImproveTets(set, ImproveTetsOptions{}, monitor);
+  ImproveTetsOptions options;
+  options.modestTarget = ModestTarget;
+  ImproveTetsReport report = ImproveTets(set, options, monitor);
+  WorkOnStuck(set, report, monitor);
   for (std::size_t p = 0; p < set.points.size(); ++p)
   {
     if (p < global.size())
     {
       mesh.points[U(global[p])] = set.points[p];
+      mesh.layerIndex[U(global[p])] = set.layerIndex[p];
       continue;
     }
     global.push_back(static_cast<Id>(mesh.points.size()));

@@ -79,14 +79,36 @@ std::vector<std::vector<Id>> PartsOf(const Tet& tet)
   return parts;
 }
 
+/// Which points of layers are free to go where they like.
+enum class Freed
+{
+  None,
+  OfTheTet,
+  All
+};
+
+void FreePoints(TetSet& patch, const Tet& worst, Freed freed)
+{
+  for (std::size_t p = 0; p < patch.layerIndex.size(); ++p)
+  {
+    const bool isOfTet = std::find(worst.begin(), worst.end(), static_cast<Id>(p)) != worst.end();
+    if (patch.fixed[p] == 0 && (freed == Freed::All || (freed == Freed::OfTheTet && isOfTet)))
+    {
+      patch.layerIndex[p] = -1;
+    }
+  }
+}
+
 /// The best that can be made of a patch round its worst tet; `least` is raised to its worst shape. False: no
 /// better than it was.
-bool Work(TetSet& patch, const Tet& worst, double gate, double& least, Monitor& monitor)
+bool Work(TetSet& patch, const Tet& worst, const ImproveStuckOptions& options, double& least,
+          Monitor& monitor)
 {
   ImproveTetsOptions all;
-  all.target = 0.3;
-  all.pointsBelow = 0.3;
-  const TetSet start = patch;
+  all.target = options.target;
+  all.pointsBelow = options.target;
+  all.layersBelow = 0; // it is decided here which points leave their layers
+  const TetSet before = patch;
   bool isBetter = false;
   const auto attempt = [&](TetSet& trial)
   {
@@ -99,18 +121,27 @@ bool Work(TetSet& patch, const Tet& worst, double gate, double& least, Monitor& 
       isBetter = true;
     }
   };
-  TetSet trial = start;
-  attempt(trial);
-  for (const std::vector<Id>& part : PartsOf(worst))
+  for (const Freed freed : { Freed::None, Freed::OfTheTet, Freed::All })
   {
-    if (least >= gate || monitor.Cancelled())
+    if (freed != Freed::None && before.layerIndex.empty())
     {
       break;
     }
-    trial = start;
-    if (SplitPart(trial, part))
+    TetSet start = before;
+    FreePoints(start, worst, freed);
+    TetSet trial = start;
+    attempt(trial);
+    for (const std::vector<Id>& part : PartsOf(worst))
     {
-      attempt(trial);
+      if (least >= options.gate || monitor.Cancelled())
+      {
+        return isBetter;
+      }
+      trial = start;
+      if (SplitPart(trial, part))
+      {
+        attempt(trial);
+      }
     }
   }
   return isBetter;
@@ -149,7 +180,7 @@ Outcome WorkRound(TetSet& set, Id tet, const ImproveStuckOptions& options, TetPa
       }
       failed[corners] = least;
     }
-    if (Work(patch, worst, options.gate, least, monitor) && !monitor.Cancelled())
+    if (Work(patch, worst, options, least, monitor) && !monitor.Cancelled())
     {
       patches.PutBack(patch);
       return Outcome::Better;

@@ -23,6 +23,8 @@ constexpr double LittleGain = 0.02;
 /// Tets below are tried again and again, as what is round them may have changed.
 constexpr double NeverHopeless = 0.17;
 constexpr double SameQuality = 1e-3;
+constexpr std::size_t ManyOf = 100; ///< one tet in as many is many
+constexpr double FewBettered = 0.1;
 
 std::size_t Index(Id id)
 {
@@ -165,8 +167,8 @@ void Better(TetCavity& cavity, const TetSet& set, Id tet, const Limits& limits, 
 }
 
 /// One pass over the bad tets; false if nothing could be done.
-bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, const std::vector<Id>& bad,
-          Hopeless& hopeless, Vain& vain, ImproveTetsReport& report, Monitor& monitor)
+bool Pass(TetSet& set, double target, const Limits& limits, const std::vector<Id>& bad, Hopeless& hopeless,
+          Vain& vain, ImproveTetsReport& report, Monitor& monitor)
 {
   TetCavity cavity(set, bad, &vain.clock);
   const Id before = CountOf(report);
@@ -179,7 +181,7 @@ bool Pass(TetSet& set, const ImproveTetsOptions& options, const Limits& limits, 
     // An operation on a neighbour may have replaced or mended it.
     const Tet own = set.tets[Index(bad[i])];
     const double quality = own[0] < 0 ? 1 : cavity.Quality(own);
-    if (quality < options.target && !vain.Holds(own, cavity))
+    if (quality < target && !vain.Holds(own, cavity))
     {
       std::vector<Id> seen;
       cavity.Watch(&seen);
@@ -202,7 +204,8 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
   ImproveTetsReport report;
   set.groups.resize(set.tets.size(), 0);
   set.fixed.resize(set.points.size(), 0);
-  auto bad = FindBad(set, options.target, monitor);
+  double target = options.target;
+  auto bad = FindBad(set, target, monitor);
   Hopeless hopeless;
   Vain vain;
   bool wasLate = false;
@@ -216,8 +219,15 @@ ImproveTetsReport ImproveTets(TetSet& set, const ImproveTetsOptions& options, Mo
       vain.Forget();
     }
     wasLate = isLate;
-    const bool hasMoved = Pass(set, options, limits, bad, hopeless, vain, report, monitor);
-    bad = FindBad(set, options.target, monitor);
+    const bool hasMoved = Pass(set, target, limits, bad, hopeless, vain, report, monitor);
+    const double before = static_cast<double>(bad.size());
+    bad = FindBad(set, target, monitor);
+    if (options.modestTarget > 0 && bad.size() > set.tets.size() / ManyOf &&
+        static_cast<double>(bad.size()) > (1 - FewBettered) * before)
+    {
+      target = options.modestTarget;
+      bad = FindBad(set, target, monitor);
+    }
     if (!hasMoved && isLate)
     {
       break;

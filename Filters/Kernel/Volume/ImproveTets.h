@@ -26,7 +26,10 @@ struct TetSet
 
 struct ImproveTetsOptions
 {
-  double target = 0.25;     ///< tets with 3r/R below, or angles that count so, are worked on, in (0, 1)
+  double target = 0.25; ///< tets with 3r/R below, or angles that count so, are worked on, in (0, 1)
+  /// The target instead where tets are poor by the hundred and a round betters few of them: such shapes were
+  /// asked for; 0: the target stays.
+  double modestTarget = 0;
   double pointsBelow = 0.2; ///< where nothing else helps, points are put in or taken out below; 0: never
   /// In the last rounds points of layers may be taken out where tets are still below, at the cost of a layer
   /// there; 0: never.

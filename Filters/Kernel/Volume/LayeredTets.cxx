@@ -53,6 +53,15 @@ constexpr double MostAnisotropy = 4;
 /// More columns than this share do not stand badly: the surface is too coarse for so many layers.
 constexpr double MostStopped = 0.01;
 
+/// What came of the best attempt so far.
+struct Built
+{
+  double least = -1; ///< 3r/R
+  VolumeMesh mesh;
+  LayersOnSurface onSurface;
+  LayersReport report;
+};
+
 /// Layers and core of one solid, appended to the mesh.
 class Solid
 {
@@ -129,8 +138,7 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
   const LayersOnSurface before = onSurface;
   const LayersReport reportBefore = report;
   std::vector<char> stopped(wall.points.size(), 0);
-  std::vector<char> best;
-  double bestLeast = -1;
+  Built best;
   double from = 0; // most solids need one attempt
   for (int attempt = 1;; ++attempt)
   {
@@ -142,24 +150,21 @@ std::optional<Error> Solid::Fill(int material, LayersOnSurface& onSurface, Layer
       return error;
     }
     double least = 1;
-    std::vector<Id> poor = ColumnsOfPoor(this->Mesh, start.cells, wall, least);
-    if (!this->MayStop(poor, wall))
+    const std::vector<Id> poor = ColumnsOfPoor(this->Mesh, start.cells, wall, least);
+    if (least <= best.least)
     {
-      poor.clear();
+      // The wall's points come first in every attempt, so that the others' ids of them hold.
+      this->Mesh = std::move(best.mesh);
+      onSurface = std::move(best.onSurface);
+      report = std::move(best.report);
+      return std::nullopt;
     }
-    const bool isBest = least > bestLeast;
-    if ((isBest && (poor.empty() || attempt == MostAttempts)) || (!best.empty() && stopped == best))
+    if (poor.empty() || attempt == MostAttempts || !this->MayStop(poor, wall))
     {
       return std::nullopt;
     }
-    if (isBest)
-    {
-      bestLeast = least;
-      best = stopped;
-    }
-    const bool isLast = poor.empty() || !isBest;
-    stopped = isLast ? best : stopped;
-    for (Id v : isLast ? std::vector<Id>{} : poor)
+    best = { least, this->Mesh, onSurface, report };
+    for (Id v : poor)
     {
       stopped[U(v)] = 1;
     }

@@ -87,6 +87,10 @@ bool SplitPart(TetSet& set, const std::vector<Id>& part)
     return false;
   }
   set.fixed.push_back(0);
+  if (!set.layerIndex.empty())
+  {
+    set.layerIndex.push_back(-1);
+  }
   for (std::size_t i = 0; i < halves.size(); ++i)
   {
     const std::size_t from = Index(around[i / part.size()]);
@@ -201,6 +205,10 @@ bool TetPatches::Take(Id tet, int rings, TetSet& patch, Tet& own)
     const bool isShared = std::any_of(first, last, [&](Id t) { return this->IsTaken[Index(t)] == 0; });
     patch.points.push_back(this->Set.points[Index(p)]);
     patch.fixed.push_back(isShared ? 1 : this->Set.fixed[Index(p)]);
+    if (!this->Set.layerIndex.empty())
+    {
+      patch.layerIndex.push_back(this->Set.layerIndex[Index(p)]);
+    }
   }
   const auto numbered = [&](Tet corners)
   {
@@ -222,15 +230,19 @@ void TetPatches::PutBack(const TetSet& patch)
   const std::size_t known = this->Points.size();
   for (std::size_t p = 0; p < patch.points.size(); ++p)
   {
-    if (p < known)
+    if (p >= known)
     {
-      this->Set.points[Index(this->Points[p])] = patch.points[p];
-      continue;
+      this->Points.push_back(static_cast<Id>(this->Set.points.size()));
+      this->Set.points.emplace_back();
+      this->Set.fixed.push_back(0);
+      this->Set.layerIndex.resize(this->Set.layerIndex.empty() ? 0 : this->Set.points.size());
+      this->Local.push_back(-1);
     }
-    this->Points.push_back(static_cast<Id>(this->Set.points.size()));
-    this->Set.points.push_back(patch.points[p]);
-    this->Set.fixed.push_back(0);
-    this->Local.push_back(-1);
+    this->Set.points[Index(this->Points[p])] = patch.points[p];
+    if (!this->Set.layerIndex.empty())
+    {
+      this->Set.layerIndex[Index(this->Points[p])] = patch.layerIndex[p];
+    }
   }
   for (Id t : this->Tets)
   {
