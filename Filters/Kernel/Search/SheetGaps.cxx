@@ -88,6 +88,16 @@ public:
   }
 
   void Measure(Monitor& monitor);
+  /// Triangles need only look for what faces them within the largest of their corners' reaches.
+  void Limit(const std::vector<double>& reaches)
+  {
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      const Triangle& c = this->Triangles[t];
+      const double reach = std::max({ reaches[At(c[0])], reaches[At(c[1])], reaches[At(c[2])] });
+      this->Facing.Lower(static_cast<Id>(t), reach * reach);
+    }
+  }
   SheetGaps OfPoints() const;
 
 private:
@@ -289,11 +299,16 @@ SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangl
 }
 
 std::vector<double> MeasureTrueGaps(const TriangleComplex& surface, const EdgeTable& table, const Lists& star,
-                                    double cutoff, Monitor& monitor)
+                                    const std::vector<double>& reaches, Monitor& monitor)
 {
+  const double cutoff = reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end());
   GapFinder finder(surface.points, surface.triangles, table, star, cutoff, &surface.materials);
+  finder.Limit(reaches);
   finder.Measure(monitor);
-  return finder.OfPoints().facing;
+  std::vector<double> gaps = finder.OfPoints().facing;
+  std::transform(gaps.begin(), gaps.end(), reaches.begin(), gaps.begin(),
+                 [](double gap, double reach) { return std::min(gap, reach); });
+  return gaps;
 }
 
 } // namespace lamina
