@@ -3,13 +3,12 @@
 
 #include "Clearance.h"
 #include "Facing.h"
+#include "Minima.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 
 namespace lamina
 {
@@ -23,31 +22,6 @@ std::size_t At(Id i)
 {
   return static_cast<std::size_t>(i);
 }
-
-/// Values that threads lower: the least of all is the same in whatever order.
-class Minima
-{
-public:
-  Minima(std::size_t count, double value)
-    : Values(new std::atomic<double>[count])
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Values[i].store(value, std::memory_order_relaxed);
-    }
-  }
-  double Of(Id i) const { return this->Values[At(i)].load(std::memory_order_relaxed); }
-  void Lower(Id i, double value)
-  {
-    double old = this->Of(i);
-    while (value < old && !this->Values[At(i)].compare_exchange_weak(old, value, std::memory_order_relaxed))
-    {
-    }
-  }
-
-private:
-  std::unique_ptr<std::atomic<double>[]> Values;
-};
 
 /// The least distance of two triangles without a common corner is that of two edges, or of a corner and a
 /// triangle. Each such pair is measured once, by the first triangles that have them, for all triangles that
