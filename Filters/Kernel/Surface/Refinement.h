@@ -42,7 +42,7 @@ struct Uncovering
 /// Before the rounds, after them, and for the few that then are hidden still: there edges may get short.
 constexpr Uncovering uncoverFirst{};
 constexpr Uncovering uncoverLast{ 0.5, 0.41, 0.04, 0.9, 4 };
-constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true, 0.35 };
+constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true, 0.2 };
 
 /// Edits one surface in rounds, one edit at a time and in an order that depends on the surface alone.
 class Refinement
