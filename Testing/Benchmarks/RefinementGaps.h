@@ -16,7 +16,8 @@
 namespace lamina::measures
 {
 
-constexpr double quarter = 0.25; ///< of a voxel: sheets must not come nearer
+constexpr double quarter = 0.25;     ///< of a voxel: sheets must not come nearer
+constexpr double farthestLook = 0.6; ///< in voxels: half of it is more than a quarter
 
 struct Nearness
 {
@@ -30,14 +31,18 @@ inline Nearness MeasureNearness(const TriangleComplex& s, double voxel, Monitor&
 {
   const EdgeTable table = MakeEdgeTable(s.triangles);
   const Lists star = TrianglesOfPoints(static_cast<Id>(s.points.size()), s.triangles);
-  const double widest =
-    voxel > 0 ? voxel : *std::max_element(s.targetEdgeLength.begin(), s.targetEdgeLength.end());
-  const std::vector<double> gaps = MeasureTrueGaps(s, table, star, widest, monitor);
+  const auto unit = [&](std::size_t p) { return voxel > 0 ? voxel : s.targetEdgeLength[p]; };
+  std::vector<double> reaches;
+  for (std::size_t p = 0; p < s.points.size(); ++p)
+  {
+    reaches.push_back(farthestLook * unit(p));
+  }
+  const std::vector<double> gaps = MeasureTrueGaps(s, table, star, reaches, monitor);
   Nearness found;
-  found.gap = 1;
+  found.gap = farthestLook;
   for (std::size_t p = 0; p < gaps.size(); ++p)
   {
-    const double gap = gaps[p] / (voxel > 0 ? voxel : s.targetEdgeLength[p]);
+    const double gap = gaps[p] / unit(p);
     found.gap = std::min(found.gap, gap);
     found.near += gap < quarter ? 1 : 0;
   }

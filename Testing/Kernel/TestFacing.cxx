@@ -76,7 +76,8 @@ Gaps Measure(const TriangleComplex& surface)
   const EdgeTable table = MakeEdgeTable(surface.triangles);
   const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
   return { MeasureGaps(surface.points, surface.triangles, table, star, cutoff, monitor).facing,
-           MeasureTrueGaps(surface, table, star, cutoff, monitor) };
+           MeasureTrueGaps(surface, table, star, std::vector<double>(surface.points.size(), cutoff),
+                           monitor) };
 }
 
 /// Two sheets that meet at a curve and hold material 1 between them.
@@ -194,6 +195,24 @@ TEST(Facing, GapsAreThoseToTheSheetBetween)
   EXPECT_NEAR(gaps.gap[0], 0.2, 1e-12);
   EXPECT_NEAR(gaps.gap[lower], 0.15, 1e-12);
   EXPECT_NEAR(gaps.gap[2 * lower], 0.15, 1e-12);
+}
+
+TEST(Facing, PointsHaveTheirOwnReach)
+{
+  const TriangleComplex surface = Slot(0.1, 2);
+  const EdgeTable table = MakeEdgeTable(surface.triangles);
+  const Lists star = TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles);
+  std::vector<double> reaches;
+  for (const Vec3& p : surface.points)
+  {
+    reaches.push_back(p.z > 1 ? 0.15 : 0.05);
+  }
+  ThreadMonitor monitor(2);
+  const std::vector<double> gaps = MeasureTrueGaps(surface, table, star, reaches, monitor);
+  for (std::size_t p = 0; p < gaps.size(); ++p)
+  {
+    EXPECT_NEAR(gaps[p], surface.points[p].z > 1 ? 0.1 : 0.05, 1e-12);
+  }
 }
 
 TEST(Facing, EditsAskForTheSame)

@@ -3,13 +3,12 @@
 
 #include "Clearance.h"
 #include "Facing.h"
+#include "Minima.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 
 namespace lamina
 {
@@ -23,31 +22,6 @@ std::size_t At(Id i)
 {
   return static_cast<std::size_t>(i);
 }
-
-/// Values that threads lower: the least of all is the same in whatever order.
-class Minima
-{
-public:
-  Minima(std::size_t count, double value)
-    : Values(new std::atomic<double>[count])
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Values[i].store(value, std::memory_order_relaxed);
-    }
-  }
-  double Of(Id i) const { return this->Values[At(i)].load(std::memory_order_relaxed); }
-  void Lower(Id i, double value)
-  {
-    double old = this->Of(i);
-    while (value < old && !this->Values[At(i)].compare_exchange_weak(old, value, std::memory_order_relaxed))
-    {
-    }
-  }
-
-private:
-  std::unique_ptr<std::atomic<double>[]> Values;
-};
 
 /// The least distance of two triangles without a common corner is that of two edges, or of a corner and a
 /// triangle. Each such pair is measured once, by the first triangles that have them, for all triangles that
@@ -88,6 +62,16 @@ public:
   }
 
   void Measure(Monitor& monitor);
+  /// Triangles need only look for what faces them within the largest of their corners' reaches.
+  void Limit(const std::vector<double>& reaches)
+  {
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      const Triangle& c = this->Triangles[t];
+      const double reach = std::max({ reaches[At(c[0])], reaches[At(c[1])], reaches[At(c[2])] });
+      this->Facing.Lower(static_cast<Id>(t), reach * reach);
+    }
+  }
   SheetGaps OfPoints() const;
 
 private:
@@ -289,11 +273,16 @@ SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangl
 }
 
 std::vector<double> MeasureTrueGaps(const TriangleComplex& surface, const EdgeTable& table, const Lists& star,
-                                    double cutoff, Monitor& monitor)
+                                    const std::vector<double>& reaches, Monitor& monitor)
 {
+  const double cutoff = reaches.empty() ? 0 : *std::max_element(reaches.begin(), reaches.end());
   GapFinder finder(surface.points, surface.triangles, table, star, cutoff, &surface.materials);
+  finder.Limit(reaches);
   finder.Measure(monitor);
-  return finder.OfPoints().facing;
+  std::vector<double> gaps = finder.OfPoints().facing;
+  std::transform(gaps.begin(), gaps.end(), reaches.begin(), gaps.begin(),
+                 [](double gap, double reach) { return std::min(gap, reach); });
+  return gaps;
 }
 
 } // namespace lamina

@@ -25,8 +25,9 @@ SheetGaps MeasureGaps(const std::vector<Vec3>& points, const std::vector<Triangl
                       const EdgeTable& table, const Lists& star, double cutoff, Monitor& monitor);
 
 /// Per point the least gap of a surface whose sheets may meet at sharp curves: as `facing`, but only to
-/// triangles that see these through one material and are not joined to them by a short way (Facing.h).
+/// triangles that see these through one material and are not joined to them by a short way (Facing.h); at
+/// most its reach.
 std::vector<double> MeasureTrueGaps(const TriangleComplex& surface, const EdgeTable& table, const Lists& star,
-                                    double cutoff, Monitor& monitor);
+                                    const std::vector<double>& reaches, Monitor& monitor);
 
 } // namespace lamina

@@ -218,6 +218,19 @@ bool EditableSurface::Reshape(Id p)
                      });
 }
 
+double EditableSurface::QualityOfHalves(Id a, Id b) const
+{
+  const Vec3 middle = 0.5 * (this->Point(a) + this->Point(b));
+  double least = 1;
+  for (Id t : this->TrianglesAt(a, b))
+  {
+    const Vec3& far = this->Point(Third(this->Corners(t), a, b));
+    least = std::min(
+      { least, TriangleQuality(this->Point(a), middle, far), TriangleQuality(this->Point(b), middle, far) });
+  }
+  return least;
+}
+
 bool EditableSurface::SplitFlat(Id triangle)
 {
   const Triangle corners = this->Corners(triangle);
@@ -231,16 +244,12 @@ bool EditableSurface::SplitFlat(Id triangle)
   }
   const Id a = corners[longest];
   const Id b = corners[(longest + 1) % 3];
-  const Vec3 middle = 0.5 * (this->Point(a) + this->Point(b));
   double before = 1;
-  double after = 1;
   for (Id t : this->TrianglesAt(a, b))
   {
-    const Vec3& far = this->Point(Third(this->Corners(t), a, b));
     before = std::min(before, this->Quality(t));
-    after = std::min(
-      { after, TriangleQuality(this->Point(a), middle, far), TriangleQuality(this->Point(b), middle, far) });
   }
+  const double after = this->QualityOfHalves(a, b);
   if (!this->Stretches.empty() || after < muchBetter * before || this->RelativeLength(a, b) < leastSplit)
   {
     return false; // stretched triangles are meant to be flat

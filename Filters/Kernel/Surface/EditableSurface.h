@@ -61,6 +61,9 @@ public:
   /// The same for anything at p or a point that it shares a triangle with.
   Id ChangedAround(Id p) const;
 
+  /// The least quality of the triangles that a bisection of the edge would make.
+  double QualityOfHalves(Id a, Id b) const;
+
   // Edits; each returns whether it was done.
   /// What the edits at an edge, or at the point a, look at and change.
   EditRegion RegionOf(Id a, Id b = -1) const;

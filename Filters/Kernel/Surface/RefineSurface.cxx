@@ -146,7 +146,13 @@ Result<RefineSurfaceReport> RefineSurface(TriangleComplex& surface, const Refine
   constexpr int stubbornPasses = 3; // what one has moved may free another
   for (int pass = 0; pass < stubbornPasses; ++pass)
   {
+    const Id clock = editable.Clock();
     refinement.UncoverNodes(uncoverStubborn);
+    if (editable.Clock() == clock)
+    {
+      break;
+    }
+    refinement.MendShapes();
   }
   if (monitor.Cancelled())
   {

@@ -38,7 +38,6 @@ public:
     , Input(input)
     , Watch(monitor)
     , Star(TrianglesOfPoints(static_cast<Id>(surface.points.size()), surface.triangles))
-    , Edges(MakeEdgeTable(surface.triangles))
     , Start(surface.points)
     , Hidden(HiddenFlags(surface, Star, monitor))
     , Far(surface, sheets, input)
@@ -48,6 +47,15 @@ public:
 
   void Run()
   {
+    if (this->Watch.Cancelled())
+    {
+      return;
+    }
+    this->Edges = MakeEdgeTable(this->Surface.triangles);
+    if (this->Watch.Cancelled())
+    {
+      return;
+    }
     this->Move(this->Targets);
     this->Widen(this->Missed());
     for (int round = 0; round < mostRounds && !this->Watch.Cancelled(); ++round)

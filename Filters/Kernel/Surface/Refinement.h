@@ -37,11 +37,12 @@ struct Uncovering
   int mostSplits = 0;    ///< at a node, where nothing else helps: shorter edges can bend further
   /// Work only on what was left the last time, and split no more at a node whose last split did not help.
   bool onlyLeft = false;
+  double leastQuality = 0; ///< of what splits make
 };
 /// Before the rounds, after them, and for the few that then are hidden still: there edges may get short.
 constexpr Uncovering uncoverFirst{};
 constexpr Uncovering uncoverLast{ 0.5, 0.41, 0.04, 0.9, 4 };
-constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true };
+constexpr Uncovering uncoverStubborn{ 0.401, 0.41, 0.005, 0.7, 12, true, 0.2 };
 
 /// Edits one surface in rounds, in an order that depends on the surface alone.
 class Refinement
@@ -69,7 +70,7 @@ private:
   void OfferAround(Id p, const Offer& offer) const;
   void SwapAll();
   void RelaxAll();
-  bool SplitBeside(Id p, double shortest);
+  bool SplitBeside(Id p, const Uncovering& how);
   /// Give the surface an order of space again once it has grown.
   void KeepOrder();
   bool Stopped() { return ++this->Ticks % 4096 == 0 && this->Watch.Cancelled(); }

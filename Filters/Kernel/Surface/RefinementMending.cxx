@@ -54,7 +54,7 @@ void Refinement::UncoverNodes(const Uncovering& how)
       better = better || done > 0;
       const double sight = done < 4 && splits[p] < how.mostSplits ? this->Surface.Visibility(p) : 1;
       const bool inVainBefore = how.onlyLeft && splits[p] > 0 && sight < sightAtSplit[p] + helped;
-      if (sight < how.enough && !inVainBefore && this->SplitBeside(p, how.shortest))
+      if (sight < how.enough && !inVainBefore && this->SplitBeside(p, how))
       {
         ++splits[p];
         sightAtSplit[p] = sight;
@@ -73,15 +73,16 @@ void Refinement::UncoverNodes(const Uncovering& how)
 }
 
 /// Splits the relatively longest edge at p that stays long enough, if there is one.
-bool Refinement::SplitBeside(Id p, double shortest)
+bool Refinement::SplitBeside(Id p, const Uncovering& how)
 {
-  double longest = shortest;
+  double longest = how.shortest;
   Id end = -1;
   for (Id t : this->Surface.Star(p))
   {
     for (Id q : this->Surface.Corners(t))
     {
-      if (q != p && this->Surface.RelativeLength(p, q) > longest)
+      if (q != p && this->Surface.RelativeLength(p, q) > longest &&
+          (how.leastQuality == 0 || this->Surface.QualityOfHalves(p, q) >= how.leastQuality))
       {
         longest = this->Surface.RelativeLength(p, q);
         end = q;
