@@ -263,6 +263,7 @@ TEST(LayeredTets, Errors)
   };
   expect(surface, Ask(2, { 1, 9 }), Failure::InvalidOption, "material 9");
   expect(surface, Ask(0, { 1 }), Failure::InvalidOption, "layers");
+  expect(surface, Ask(200, { 1 }), Failure::InvalidOption, "100");
   LayeredTetsOptions options = Ask(2, { 1 });
   options.growth = 0;
   expect(surface, options, Failure::InvalidOption, "growth");

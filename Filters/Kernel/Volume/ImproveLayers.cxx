@@ -16,8 +16,8 @@ namespace
 
 using Tet = std::array<Id, 4>;
 
-constexpr double ModestTarget = 0.17;
-constexpr double StuckGate = 0.12; ///< tets of a lower shape may cost layers
+constexpr double ModestTarget = 0.21; ///< a little more than an angle of 8 degrees counts as
+constexpr double StuckGate = 0.12;    ///< tets of a lower shape may cost layers
 constexpr double StuckTarget = 0.14;
 
 std::size_t U(Id i)
