@@ -31,6 +31,9 @@ inline std::vector<std::string> BrokenGuarantees(const RefinementFigures& figure
   demand(figures.eulerNumbers == 0, std::to_string(figures.eulerNumbers) + " Euler numbers change");
   demand(figures.piecesKept, "the number of sheets or shells changes");
   demand(figures.intersections == 0, std::to_string(figures.intersections) + " pairs intersect");
+  demand(StayApart(figures.nearBefore, figures.nearAfter),
+         "sheets come within " + std::to_string(figures.nearAfter.gap) + " of each other, from " +
+           std::to_string(figures.nearBefore.gap));
   demand(figures.narrowed == 0,
          std::to_string(figures.narrowed) + " pairs of triangles come nearer than they may");
   demand(StayOpen(figures.nearBefore, figures.nearAfter),
@@ -53,9 +56,6 @@ inline std::vector<std::string> BrokenPromises(const RefinementFigures& figures,
       broken.push_back(what);
     }
   };
-  demand(StayApart(figures.nearBefore, figures.nearAfter),
-         "sheets come within " + std::to_string(figures.nearAfter.gap) + " of each other, from " +
-           std::to_string(figures.nearBefore.gap));
   demand(figures.edgesInRange >= 0.99,
          "only " + std::to_string(100 * figures.edgesInRange) + " % of the edges are in range");
   demand(figures.goodTriangles >= 0.999,
