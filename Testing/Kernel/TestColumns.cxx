@@ -316,7 +316,7 @@ TEST(Columns, ThinLayersOfTetsStand)
     const Columns columns = Grow(wall, options);
     ExpectSound(wall, columns, ColumnCells::Tets);
     EXPECT_EQ(CountStopped(columns), 0) << seed;
-    // Of a twentieth, no tet of a layer would be above 0.1.
+    // Of a twentieth, even the tets of a straight column would be 0.12 at best.
     wall.thickness.assign(wall.points.size(), 0.07);
     EXPECT_EQ(CountStopped(Grow(wall, options)), static_cast<Id>(wall.points.size())) << seed;
   }
